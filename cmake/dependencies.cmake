@@ -1,0 +1,26 @@
+# Every package comes from Debian; cmake/setup.sh installs them. A missing one ends in one plain line.
+macro(scarp_require package debian_package)
+  find_package(${package} ${ARGN} QUIET)
+  if(NOT ${package}_FOUND)
+    message(FATAL_ERROR "scarp needs ${package}: install Debian's ${debian_package} "
+                        "(or run cmake/setup.sh, which installs everything)")
+  endif()
+endmacro()
+
+scarp_require(OpenMP libgomp1 COMPONENTS CXX)
+scarp_require(xsimd libxsimd-dev)
+# Debian's xsimd target asks for xtl, which it does not need and which is not installed with it.
+set_property(TARGET xsimd PROPERTY INTERFACE_LINK_LIBRARIES "")
+scarp_require(Eigen3 libeigen3-dev)
+scarp_require(HDF5 libhdf5-dev COMPONENTS C)
+scarp_require(tomlplusplus libtomlplusplus-dev)
+scarp_require(fmt libfmt-dev)
+scarp_require(muparser libmuparser-dev)
+scarp_require(nlohmann_json nlohmann-json3-dev)
+scarp_require(CLI11 libcli11-dev)
+if(SCARP_BUILD_TESTS)
+  scarp_require(GTest libgtest-dev)
+endif()
+if(SCARP_BUILD_BENCH)
+  scarp_require(benchmark libbenchmark-dev)
+endif()

@@ -1,0 +1,47 @@
+# `cmake --install`: the static library as scarp::engine with its public headers, both programs, and
+# what the programs read at run time under share/scarp.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# Everything an embedding program includes, spelled as in the repository. tests/layering reads this
+# list: nothing in it may include, however indirectly, a third-party header.
+set(scarp_public_headers
+  engine/errors.hpp
+  engine/simulation.hpp
+  engine/scene/scene.hpp
+  engine/scene/scene_reader.hpp
+  kernels/constitutive/drucker_prager.hpp
+  kernels/constitutive/linear_elastic.hpp
+  kernels/constitutive/list.hpp
+  kernels/constitutive/parameter_spec.hpp)
+foreach(header IN LISTS scarp_public_headers)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scarp/${folder})
+endforeach()
+
+install(TARGETS scarp_engine EXPORT scarpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS scarp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET scarp-validate)
+  install(TARGETS scarp-validate RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+set(scarp_share_patterns FILES_MATCHING
+  PATTERN "*.py" PATTERN "*.toml" PATTERN "*.json" PATTERN "*.csv" PATTERN "*.md" PATTERN "*.html"
+  PATTERN "*.css" PATTERN "__pycache__" EXCLUDE)
+# The programs look for these in share/scarp beside their own bin/ before they look in the sources.
+install(DIRECTORY engine/report/ DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/report ${scarp_share_patterns})
+if(TARGET scarp-validate)
+  install(DIRECTORY validation/cases DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/validation
+          ${scarp_share_patterns})
+endif()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(scarp_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/scarp)
+install(EXPORT scarpTargets NAMESPACE scarp:: DESTINATION ${scarp_package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/scarpConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/scarpConfig.cmake INSTALL_DESTINATION ${scarp_package_dir})
+# Below 1.0 a new minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/scarpConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/scarpConfig.cmake ${PROJECT_BINARY_DIR}/scarpConfigVersion.cmake
+        DESTINATION ${scarp_package_dir})

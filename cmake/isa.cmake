@@ -1,0 +1,24 @@
+# The only place with instruction-set flags: one object library per instruction set, each compiling
+# the same instantiations. Always optimised, whatever the build type: at -O0 these objects would carry
+# weak copies of ordinary inline functions, which the linker could keep for the whole program.
+function(scarp_add_isa isa)
+  add_library(scarp_kernels_${isa} OBJECT ${PROJECT_SOURCE_DIR}/kernels/isa/${isa}.cpp)
+  target_link_libraries(scarp_kernels_${isa} PRIVATE scarp_options xsimd)
+  set_target_properties(scarp_kernels_${isa} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  # gcc 12 prints false -Wuninitialized out of its AVX-512 headers.
+  target_compile_options(scarp_kernels_${isa} PRIVATE ${ARGN} -O3
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>)
+  if(SCARP_SANITIZE)
+    # Instrumented, one of these objects compiles for more than four minutes. What they read and write is
+    # checked around them: by the passes' own tests and by the instrumented arrays of the engine.
+    set_target_properties(scarp_kernels_${isa} PROPERTIES SCARP_UNINSTRUMENTED ON)
+    target_compile_options(scarp_kernels_${isa} PRIVATE -g0)
+  endif()
+  if(SCARP_KERNEL_SET STREQUAL "smoke")
+    target_compile_definitions(scarp_kernels_${isa} PRIVATE SCARP_KERNEL_SET_SMOKE)
+  endif()
+endfunction()
+
+scarp_add_isa(sse2 -msse2)
+scarp_add_isa(avx2 -mavx2 -mfma)
+scarp_add_isa(avx512 -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mfma -mprefer-vector-width=512)

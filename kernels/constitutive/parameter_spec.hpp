@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What a constitutive model declares of each parameter, so that reader, documents and tests
+/// iterate.
+#pragma once
+
+#include <limits>
+
+namespace scarp::kernels {
+
+/// Physical dimension of a scene value; decides which unit strings are accepted. SI inside.
+enum class Unit { none, length, time, velocity, acceleration, density, pressure, angle, choice };
+
+/// `default_value` NaN means required. A choice is stored as the index into `choices` ("a|b|c");
+/// its `default_value_3d` may differ from the one in 2D.
+struct ParameterSpec {
+  const char* name;
+  Unit unit;
+  double minimum;
+  double maximum;
+  double default_value;
+  double default_value_3d;
+  const char* choices;
+  const char* description;
+};
+
+inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace scarp::kernels

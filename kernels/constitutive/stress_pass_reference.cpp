@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Plain scalar form of the stress pass.
+#include "kernels/constitutive/stress_pass_reference.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace scarp::kernels {
+namespace {
+
+using Matrix = Eigen::Matrix3d;
+
+Matrix matrix_of(const ReferenceMatrix& a) {
+  Matrix m;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) m(r, c) = a[r][c];
+  }
+  return m;
+}
+
+ReferenceMatrix array_of(const Matrix& m) {
+  ReferenceMatrix a;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) a[r][c] = m(r, c);
+  }
+  return a;
+}
+
+double contract(const Matrix& a, const Matrix& b) { return a.cwiseProduct(b).sum(); }
+Matrix deviator(const Matrix& a) { return a - a.trace() / 3.0 * Matrix::Identity(); }
+double root_j2(const Matrix& stress) {
+  const Matrix s = deviator(stress);
+  return std::sqrt(0.5 * contract(s, s));
+}
+double yield(const StressPassConstants& c, const Matrix& stress) {
+  return root_j2(stress) + c.alpha_phi * stress.trace() - c.k_c;
+}
+
+/// Hooke's law in Lame's form and its inverse in Young's. Equation: E4, E14.
+Matrix hooke(const StressPassConstants& c, const Matrix& strain) {
+  const double lame = c.bulk_modulus - 2.0 / 3.0 * c.shear_modulus;
+  return lame * strain.trace() * Matrix::Identity() + 2.0 * c.shear_modulus * strain;
+}
+Matrix strain_of(const StressPassConstants& c, const Matrix& stress) {
+  const double k = c.bulk_modulus, g = c.shear_modulus;
+  const double young = 9.0 * k * g / (3.0 * k + g),
+               poisson = (3.0 * k - 2.0 * g) / (6.0 * k + 2.0 * g);
+  return ((1.0 + poisson) * stress - poisson * stress.trace() * Matrix::Identity()) / young;
+}
+
+/// df/dsigma or dg/dsigma: s/(2 sqrt(J2)) + alpha I.
+Matrix normal(const Matrix& stress, double alpha) {
+  const double j = root_j2(stress);
+  Matrix n = alpha * Matrix::Identity();
+  if (j > 0.0) n += deviator(stress) / (2.0 * j);
+  return n;
+}
+double equivalent(const Matrix& strain) {
+  const Matrix e = deviator(strain);
+  return std::sqrt(2.0 / 3.0 * contract(e, e));
+}
+
+/// Flow along C : dg/dsigma until f = 0. On a cone neither gradient changes on the way, so one step
+/// of Newton is exact; if it turned the deviator round, the way would cross the axis, so the apex
+/// is the answer.
+Matrix flow_back(const StressPassConstants& c, const Matrix& trial) {
+  const double f = yield(c, trial);
+  if (!(f > 0.0)) return trial;
+  const Matrix direction = hooke(c, normal(trial, c.alpha_psi));
+  const double multiplier = f / contract(normal(trial, c.alpha_phi), direction);
+  const Matrix stress = trial - multiplier * direction;
+  if (contract(deviator(stress), deviator(trial)) >= 0.0 && root_j2(trial) > 0.0) return stress;
+  if (c.alpha_phi == 0.0) return trial.trace() / 3.0 * Matrix::Identity();
+  return c.k_c / (3.0 * c.alpha_phi) * Matrix::Identity();
+}
+
+/// Plastic strain of Eq. 22 over the leap, held >= 0. Equation: E7, E22.
+Matrix rate_of_flow(const StressPassConstants& c, const Matrix& at, const Matrix& strain) {
+  double threshold = 0.0;
+  if (c.plasticity == 2) threshold = -1e-6 * (c.k_c - c.alpha_phi * at.trace());
+  if (!(yield(c, at) > threshold)) return Matrix::Zero();
+  const Matrix n = normal(at, c.alpha_phi), m = normal(at, c.alpha_psi);
+  const double resistance = contract(n, hooke(c, m));
+  if (!(resistance > 0.0))
+    return Matrix::Zero();  // no deviator and no dilation: no direction to flow in
+  const double multiplier = contract(n, hooke(c, strain)) / resistance;
+  return std::fmax(multiplier, 0.0) * m;
+}
+
+/// Bui et al. (2008), their two corrections one after the other. Equation: P2.
+Matrix bui_corrections(const StressPassConstants& c, Matrix stress) {
+  if (c.alpha_phi > 0.0 && stress.trace() > c.k_c / c.alpha_phi) {
+    stress += (c.k_c / c.alpha_phi - stress.trace()) / 3.0 * Matrix::Identity();
+  }
+  const double strength = std::fmax(c.k_c - c.alpha_phi * stress.trace(), 0.0);
+  const double j = root_j2(stress);
+  if (j <= strength) return stress;
+  return stress.trace() / 3.0 * Matrix::Identity() + strength / j * deviator(stress);
+}
+
+/// Velocity gradient over the moment, where that can be inverted. Equation: K1.
+Matrix used_gradient(const ReferencePointRates& rates, const StressPassConstants& c,
+                     int dimension) {
+  Matrix l = matrix_of(rates.velocity_gradient), moment = matrix_of(rates.moment);
+  if (dimension == 2) {
+    l.row(2).setZero();
+    l.col(2).setZero();
+    moment.row(2) << 0.0, 0.0, 1.0;
+    moment.col(2) << 0.0, 0.0, 1.0;
+  }
+  return c.gradient_correction && moment.determinant() >= 0.1 ? Matrix(l * moment.inverse()) : l;
+}
+
+/// Equation: D1; the lithostatic part removed along gravity (1) and across it (K0).
+Matrix diffusion_increment(const ReferencePointRates& rates, const StressPassConstants& c,
+                           double density) {
+  if (c.diffusion_cap == 0.0) return Matrix::Zero();
+  const Eigen::Vector3d g(c.gravity[0], c.gravity[1], c.gravity[2]);
+  Matrix ratio = c.k0 * Matrix::Identity();
+  if (g.norm() > 0.0) ratio += (1.0 - c.k0) * g.normalized() * g.normalized().transpose();
+  return c.leap * (matrix_of(rates.diffusion_rate) + density * rates.diffusion_slope * ratio);
+}
+
+/// New stress and density from base values; updates strains and works of the point. Equation: E18,
+/// E21.
+bool advance_material(const ReferencePointRates& rates, const StressPassConstants& c, int dimension,
+                      bool plastic, const Matrix& base, double base_density, ReferencePoint& point,
+                      Matrix& stress, double& density) {
+  const Matrix current = matrix_of(point.stress);
+  const Matrix gradient = used_gradient(rates, c, dimension);
+  const Matrix strain = 0.5 * c.leap * (gradient + gradient.transpose());
+  const Matrix spin = 0.5 * c.leap * (gradient - gradient.transpose());
+  if (c.hughes_winget) {
+    const Matrix turn =
+        (Matrix::Identity() - 0.5 * spin).inverse() * (Matrix::Identity() + 0.5 * spin);
+    stress = turn * base * turn.transpose();
+  } else {
+    stress = base + spin * current + current * spin.transpose();
+  }
+  const Matrix diffusion = diffusion_increment(rates, c, point.density);
+  stress += hooke(c, strain) + diffusion;
+  const Matrix trial = stress;
+  double magnitude = 0.0;
+  if (plastic && c.plasticity == 0) {
+    stress = flow_back(c, trial);
+    magnitude = equivalent(strain_of(c, trial - stress));
+  } else if (plastic) {
+    const Matrix flow = rate_of_flow(c, current, strain);
+    magnitude = equivalent(flow);
+    stress -= hooke(c, flow);
+    if (c.plasticity == 2) stress = bui_corrections(c, stress);
+  }
+  point.accumulated_plastic_strain += c.plastic_share * magnitude;
+  const Matrix mean = 0.5 / point.density * (base + stress);  // works are per mass
+  point.stress_work += c.plastic_share * contract(mean, strain);
+  point.plastic_work += c.plastic_share * contract(mean, strain_of(c, trial - stress));
+  point.diffusion_work -= c.plastic_share * contract(mean, strain_of(c, diffusion));
+  const Matrix shear_rate = deviator(0.5 * (gradient + gradient.transpose()));
+  const double h = c.smoothing_length;
+  const double sound_speed =
+      std::sqrt((c.bulk_modulus + 4.0 / 3.0 * c.shear_modulus) / point.density);
+  point.diffusivity =
+      std::fmin(c.diffusion_cap * h * sound_speed,
+                c.diffusion_shear_gate * h * h * std::sqrt(2.0 * shear_rate.squaredNorm()));
+  if (!c.gradient_correction) {
+    density = base_density + c.leap * rates.density_rate;
+    return false;
+  }
+  const double free = base_density - point.density * strain.trace();
+  density = std::fmin(std::fmax(free, c.density_minimum), c.density_maximum);
+  return density != free;
+}
+
+}  // namespace
+
+bool advance_verlet_reference(const ReferencePointRates& rates, const StressPassConstants& c,
+                              const VerletConstants& v, int dimension, bool plastic,
+                              ReferencePoint& point) {
+  const Matrix base = matrix_of(v.leaps ? point.previous_stress : point.stress);
+  const double base_density = v.leaps ? point.previous_density : point.density;
+  Matrix stress;
+  double density = 0.0;
+  const bool bounded =
+      advance_material(rates, c, dimension, plastic, base, base_density, point, stress, density);
+  for (int a = 0; a < dimension; ++a) {
+    const double now = point.velocity[a];
+    const double start = v.leaps ? point.previous_velocity[a] : now;
+    const double pull = rates.acceleration[a] + c.gravity[a];
+    point.position[a] += v.dt * now + 0.5 * v.dt * v.dt * (pull - v.damping * now);
+    // (v_new - v_start)/leap = pull - c_d (v_new + v_start)/2
+    point.velocity[a] =
+        (start * (1.0 / c.leap - 0.5 * v.damping) + pull) / (1.0 / c.leap + 0.5 * v.damping);
+    point.previous_velocity[a] = now;
+  }
+  point.previous_stress = point.stress;
+  point.previous_density = point.density;
+  point.stress = array_of(stress);
+  point.density = density;
+  return bounded;
+}
+
+bool advance_stress_reference(const ReferencePointRates& rates, const StressPassConstants& c,
+                              int dimension, bool plastic, ReferencePoint& point) {
+  Matrix stress;
+  double density = 0.0;
+  const bool bounded = advance_material(rates, c, dimension, plastic, matrix_of(point.stress),
+                                        point.density, point, stress, density);
+  point.stress = array_of(stress);
+  point.density = density;
+  return bounded;
+}
+
+}  // namespace scarp::kernels

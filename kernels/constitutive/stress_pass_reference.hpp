@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Plain scalar form of the stress pass with full 3 x 3 matrices, derived from the flow rule rather
+/// than from its closed forms. The oracle of the passes, never part of a run.
+#pragma once
+
+#include <array>
+
+#include "kernels/particle_view.hpp"
+
+namespace scarp::kernels {
+
+using ReferenceMatrix = std::array<std::array<double, 3>, 3>;
+
+/// State of one particle, as in ParticleView; SI.
+struct ReferencePoint {
+  std::array<double, 3> position{}, velocity{}, previous_velocity{};
+  double density = 0.0, previous_density = 0.0;
+  ReferenceMatrix stress{}, previous_stress{};
+  double accumulated_plastic_strain = 0.0;
+  double plastic_work = 0.0, diffusion_work = 0.0, stress_work = 0.0;
+  double diffusivity = 0.0;
+};
+
+/// Rates of one particle from the pair sweep.
+struct ReferencePointRates {
+  double density_rate = 0.0;
+  ReferenceMatrix velocity_gradient{}, moment{};
+  std::array<double, 3> acceleration{};
+  ReferenceMatrix diffusion_rate{};
+  double diffusion_slope = 0.0;
+};
+
+/// One Verlet step; returns whether a density bound acted. Equation: E28, E29 with the rates of
+/// E18, E19, E21.
+bool advance_verlet_reference(const ReferencePointRates& rates,
+                              const StressPassConstants& constants, const VerletConstants& verlet,
+                              int dimension, bool plastic, ReferencePoint& point);
+
+/// Stress and density over one leap (kick-drift-kick); returns whether a density bound acted.
+/// Equation: E18.
+bool advance_stress_reference(const ReferencePointRates& rates,
+                              const StressPassConstants& constants, int dimension, bool plastic,
+                              ReferencePoint& point);
+
+}  // namespace scarp::kernels

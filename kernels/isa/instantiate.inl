@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Included by one tiny source per instruction set, which defines SCARP_ARCH, SCARP_ISA and
+// SCARP_ISA_NAME. Variants add: 22 sweeps in the full set, 6 in the general one (SSE2 and the smoke
+// set).
+
+#include "kernels/constitutive/stress_pass.hpp"
+#include "kernels/isa/kernel_table.hpp"
+#include "kernels/neighbour_filter.hpp"
+#include "kernels/pair/pair_sweep.hpp"
+#include "kernels/pair/wall_sweep.hpp"
+
+namespace scarp::kernels {
+namespace {
+
+using Arch = SCARP_ARCH;
+
+template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection>
+constexpr CompiledSweep compiled{
+    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection},
+    &pair_sweep<Arch, double,
+                SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection>>};
+
+constexpr bool on = true, off = false;
+constexpr CompiledSweep sweeps[] = {
+#if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
+    compiled<2, Terms::fused, off, off, off>,   compiled<2, Terms::fused, off, off, on>,
+    compiled<2, Terms::fused, on, off, off>,    compiled<2, Terms::fused, on, off, on>,
+    compiled<2, Terms::fused, on, on, off>,     compiled<2, Terms::gradient, off, off, off>,
+    compiled<2, Terms::force, off, off, off>,   compiled<2, Terms::force, on, off, off>,
+    compiled<3, Terms::fused, off, off, off>,   compiled<3, Terms::fused, off, off, on>,
+    compiled<3, Terms::fused, on, off, off>,    compiled<3, Terms::fused, on, off, on>,
+    compiled<3, Terms::fused, on, on, off>,     compiled<3, Terms::gradient, off, off, off>,
+    compiled<3, Terms::force, off, off, off>,   compiled<3, Terms::force, on, off, off>,
+#endif
+    compiled<2, Terms::fused, on, on, on>,      compiled<2, Terms::gradient, off, off, on>,
+    compiled<2, Terms::force, on, on, off>,     compiled<3, Terms::fused, on, on, on>,
+    compiled<3, Terms::gradient, off, off, on>, compiled<3, Terms::force, on, on, off>,
+};
+
+}  // namespace
+
+const KernelTable& SCARP_TABLE() {
+  static constexpr KernelTable table{
+      SCARP_ISA,
+      SCARP_ISA_NAME,
+      cluster_size<double, Arch>,
+      sweeps,
+      {&wall_sweep<Arch, double, 2>, &wall_sweep<Arch, double, 3>},
+      {{{&advance_verlet<Arch, 2, false>, &advance_verlet<Arch, 2, true>},
+        {&advance_verlet<Arch, 3, false>, &advance_verlet<Arch, 3, true>}}},
+      {{{&advance_stress<Arch, 2, false>, &advance_stress<Arch, 2, true>},
+        {&advance_stress<Arch, 3, false>, &advance_stress<Arch, 3, true>}}},
+      &filter_candidates<Arch>};
+  return table;
+}
+
+}  // namespace scarp::kernels

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Run-time choice of instruction set and sweep.
+#include "kernels/isa/kernel_table.hpp"
+
+#include <array>
+
+namespace scarp::kernels {
+
+PairSweep<double> KernelTable::sweep_for(const SweepVariant& wanted) const {
+  for (const CompiledSweep& candidate : sweeps) {
+    const SweepVariant& have = candidate.variant;
+    const bool covers = have.dimension == wanted.dimension && have.terms == wanted.terms &&
+                        have.viscosity >= wanted.viscosity &&
+                        have.artificial_stress >= wanted.artificial_stress &&
+                        have.correction >= wanted.correction;
+    if (covers) return candidate.sweep;
+  }
+  return nullptr;
+}
+
+std::span<const Isa> available_isas() {
+  static constexpr std::array all{Isa::sse2, Isa::avx2, Isa::avx512};
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
+                      __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
+  return std::span(all).first(avx512 ? 3 : avx2 ? 2 : 1);
+}
+
+const KernelTable& kernels_of(Isa isa) {
+  switch (isa) {
+    case Isa::avx512:
+      return avx512_kernels();
+    case Isa::avx2:
+      return avx2_kernels();
+    case Isa::sse2:
+      break;
+  }
+  return sse2_kernels();
+}
+
+const char* isa_name(Isa isa) { return kernels_of(isa).name; }
+
+std::optional<Isa> isa_named(std::string_view name) {
+  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+    if (name == isa_name(isa)) return isa;
+  }
+  return std::nullopt;
+}
+
+}  // namespace scarp::kernels

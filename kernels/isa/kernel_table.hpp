@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The compiled kernels of each instruction set, and the run-time choice between them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "kernels/particle_view.hpp"
+
+namespace scarp::kernels {
+
+enum class Isa { sse2, avx2, avx512 };
+
+/// What a scene uses of the pair sweep; a kernel compiled for more serves a scene that uses less.
+struct SweepVariant {
+  int dimension = 3;
+  Terms terms = Terms::fused;
+  bool viscosity = true;
+  bool artificial_stress = true;
+  bool correction = true;  ///< gradient moment and stress diffusion
+  friend bool operator==(const SweepVariant&, const SweepVariant&) = default;
+};
+
+template <class Real>
+using PairSweep = void (*)(const PairSweepView<Real>&, std::int64_t begin, std::int64_t end);
+template <class Real>
+using WallSweep = void (*)(const WallSweepView<Real>&, std::int64_t begin, std::int64_t end);
+using VerletPass = std::uint64_t (*)(const ParticleView&, const StressPassConstants&,
+                                     const VerletConstants&, std::size_t begin, std::size_t end);
+using StressPass = std::uint64_t (*)(const ParticleView&, const StressPassConstants&,
+                                     std::size_t begin, std::size_t end);
+/// Writes the indices of the candidates that are neighbours, in order; returns how many.
+using CandidateFilter = int (*)(const CandidateView&, std::int32_t* out);
+
+struct CompiledSweep {
+  SweepVariant variant;
+  PairSweep<double> sweep;
+};
+
+/// Everything compiled for one instruction set.
+struct KernelTable {
+  Isa isa;
+  const char* name;
+  int cluster_size;                                 ///< particles per cluster, double
+  std::span<const CompiledSweep> sweeps;            ///< special before general
+  std::array<WallSweep<double>, 2> wall_sweep;      ///< by dimension - 2
+  std::array<std::array<VerletPass, 2>, 2> verlet;  ///< by dimension - 2, plastic
+  std::array<std::array<StressPass, 2>, 2> stress;
+  CandidateFilter filter_candidates;
+
+  /// The most special kernel that covers what is asked for; every table holds a general one.
+  PairSweep<double> sweep_for(const SweepVariant& wanted) const;
+};
+
+const KernelTable& sse2_kernels();
+const KernelTable& avx2_kernels();
+const KernelTable& avx512_kernels();
+
+/// Instruction sets this machine can run, best last.
+std::span<const Isa> available_isas();
+const KernelTable& kernels_of(Isa isa);
+std::optional<Isa> isa_named(std::string_view name);
+const char* isa_name(Isa isa);
+
+}  // namespace scarp::kernels

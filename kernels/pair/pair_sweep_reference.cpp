@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Plain scalar form of all pair terms.
+#include "kernels/pair/pair_sweep_reference.hpp"
+
+#include <Eigen/Dense>
+
+namespace scarp::kernels {
+namespace {
+
+using Vector = Eigen::Vector3d;
+using Matrix = Eigen::Matrix3d;
+
+Vector vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+Matrix matrix_of(const std::array<double, 6>& s) {
+  Matrix m;
+  m << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  return m;
+}
+
+constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
+
+/// v_i - v_j, or what a wall makes of it. Equation: B1.
+Vector relative_velocity(const ReferenceParticles& p, std::size_t i, std::size_t j) {
+  const Vector difference = vector_of(p.velocity[i]) - vector_of(p.velocity[j]);
+  if (!p.is_wall(j)) return difference;
+  const ReferenceFace& face = p.face[j];
+  const Vector normal = vector_of(face.normal);
+  const double behind = face.distance;
+  const double before = normal.dot(vector_of(p.position[i]) - vector_of(p.position[j])) - behind;
+  const double beta = before > 0.0 ? std::fmin(1.5, 1.0 + behind / before) : 1.5;
+  return beta * difference;
+}
+
+/// Pi of Eq. 26 and, if the pair approaches, -mu.
+double viscosity(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
+                 std::size_t j, const Vector& velocity, const Vector& distance,
+                 double& approach_rate) {
+  const double approach = velocity.dot(distance);
+  approach_rate = 0.0;
+  if (approach >= 0.0) return 0.0;
+  const double h = s.smoothing_length;
+  const double mu = h * approach / (distance.squaredNorm() + 0.01 * h * h);
+  approach_rate = -mu;
+  const double mean_density = 0.5 * (p.density[i] + p.density[j]);
+  const double mean_sound_speed = 0.5 * (p.sound_speed[i] + p.sound_speed[j]);
+  return (-s.viscosity_alpha * mean_sound_speed * mu + s.viscosity_beta * mu * mu) / mean_density;
+}
+
+void add_gradients(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t j,
+                   const Vector& velocity, const Vector& distance, const Vector& gradient,
+                   ReferenceRate& rate) {
+  const double mass = p.volume[j] * p.density[j];
+  for (int a = 0; a < s.dimension; ++a) {
+    rate.density_rate.add(mass * velocity(a) * gradient(a));
+    for (int b = 0; b < s.dimension; ++b) {
+      rate.velocity_gradient[3 * a + b].add(p.volume[j] * -velocity(a) * gradient(b));
+    }
+  }
+  for (int c = 0; c < 6; ++c) {
+    rate.moment[c].add(p.volume[j] * -distance(row[c]) * gradient(column[c]));
+  }
+}
+
+void add_forces(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
+                std::size_t j, const Vector& velocity, const Vector& distance,
+                const Vector& gradient, ReferenceRate& rate) {
+  const double mass = p.volume[j] * p.density[j];
+  double approach_rate = 0.0;
+  const double pi = viscosity(p, s, i, j, velocity, distance, approach_rate);
+  rate.approach_rate = std::fmax(rate.approach_rate, approach_rate);
+  const double f =
+      smoothing_value_reference(s.smoothing, s.dimension, distance.norm(), s.smoothing_length) /
+      smoothing_value_reference(s.smoothing, s.dimension, s.spacing, s.smoothing_length);
+  const double weight = std::pow(f, s.tension_exponent);
+  const Matrix stress_i = matrix_of(p.stress[i]), stress_j = matrix_of(p.stress[j]);
+  const Matrix artificial_i = matrix_of(p.artificial_stress[i]);
+  const Matrix artificial_j = matrix_of(p.artificial_stress[j]);
+  for (int a = 0; a < s.dimension; ++a) {
+    ReferenceSum& sum = rate.acceleration[a];
+    for (int b = 0; b < s.dimension; ++b) {
+      sum.add(mass * stress_i(a, b) / (p.density[i] * p.density[j]) * gradient(b));
+      sum.add(mass * stress_j(a, b) / (p.density[i] * p.density[j]) * gradient(b));
+      for (const double r : {artificial_i(a, b), artificial_j(a, b)}) {
+        sum.add(mass * weight * r * gradient(b));
+        rate.largest_artificial =
+            std::fmax(rate.largest_artificial, std::fabs(mass * r * gradient(b)));
+      }
+    }
+    sum.add(-mass * pi * gradient(a));
+  }
+}
+
+void add_diffusion(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
+                   std::size_t j, const Vector& distance, const Vector& gradient,
+                   ReferenceRate& rate) {
+  const double h = s.smoothing_length;
+  const double mean = 0.5 * (p.diffusivity[i] + p.diffusivity[j]);
+  const double weight =
+      2.0 * p.volume[j] * mean * distance.dot(gradient) / (distance.squaredNorm() + 0.01 * h * h);
+  for (int c = 0; c < 6; ++c) {
+    rate.diffusion_rate[c].add(weight * p.stress[i][c]);
+    rate.diffusion_rate[c].add(-weight * p.stress[j][c]);
+  }
+  for (int a = 0; a < s.dimension; ++a)
+    rate.diffusion_slope.add(weight * s.gravity[a] * distance(a));
+}
+
+}  // namespace
+
+std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
+                                                const ReferenceSettings& s) {
+  const double h = s.smoothing_length;
+  std::vector<ReferenceRate> rates(p.soil_count);
+  for (std::size_t i = 0; i < p.soil_count; ++i) {
+    ReferenceRate& rate = rates[i];
+    for (std::size_t j = 0; j < p.size(); ++j) {
+      const Vector distance = vector_of(p.position[i]) - vector_of(p.position[j]);
+      const double r = distance.norm();
+      if (j == i || r >= 2.0 * h) continue;
+      ++rate.neighbours;
+      const Vector gradient = smoothing_slope_reference(s.smoothing, s.dimension, r, h) /
+                              (r * s.lattice_moment) * distance;
+      const Vector velocity = relative_velocity(p, i, j);
+      add_gradients(p, s, j, velocity, distance, gradient, rate);
+      add_forces(p, s, i, j, velocity, distance, gradient, rate);
+      if (!p.is_wall(j)) add_diffusion(p, s, i, j, distance, gradient, rate);
+    }
+  }
+  return rates;
+}
+
+std::vector<std::array<ReferenceSum, 6>> wall_stress_reference(const ReferenceParticles& p,
+                                                               const ReferenceSettings& s) {
+  std::vector<std::array<ReferenceSum, 6>> stress(p.wall_count);
+  for (std::size_t w = p.soil_count; w < p.soil_count + p.wall_count; ++w) {
+    std::array<ReferenceSum, 6>& sum = stress[w - p.soil_count];
+    double weights = 0.0;
+    for (std::size_t j = 0; j < p.size(); ++j) {
+      if (p.is_wall(j)) continue;
+      const Vector distance = vector_of(p.position[w]) - vector_of(p.position[j]);
+      const double weight =
+          smoothing_value_reference(s.smoothing, s.dimension, distance.norm(), s.smoothing_length);
+      weights += weight;
+      const double lithostatic = p.density[j] * vector_of(s.gravity).dot(distance);
+      for (int c = 0; c < 6; ++c) {
+        sum[c].add(weight * p.stress[j][c]);
+        if (c < 3) sum[c].add(-weight * lithostatic);
+      }
+    }
+    for (ReferenceSum& component : sum) {
+      component.value = weights > 0.0 ? component.value / weights : 0.0;
+      component.largest = weights > 0.0 ? component.largest / weights : 0.0;
+    }
+  }
+  return stress;
+}
+
+std::array<double, 6> positive_part_reference(const std::array<double, 6>& stress, int dimension) {
+  std::array<double, 6> s = stress;
+  if (dimension == 2) s[2] = s[4] = s[5] = 0.0;
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(matrix_of(s));
+  const Matrix positive = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                          eigen.eigenvectors().transpose();
+  std::array<double, 6> part{};
+  for (int c = 0; c < 6; ++c) part[c] = positive(row[c], column[c]);
+  return part;
+}
+
+}  // namespace scarp::kernels

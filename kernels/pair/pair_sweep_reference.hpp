@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Plain scalar form of all pair terms, straight from the equations: all pairs, SI, no packing. The
+/// oracle of the sweeps, never part of a run.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "kernels/smoothing/smoothing_reference.hpp"
+
+namespace scarp::kernels {
+
+/// Wall face of a dummy particle: unit normal towards the soil, distance of the dummy behind the
+/// face [m].
+struct ReferenceFace {
+  std::array<double, 3> normal{};
+  double distance = 0.0;
+};
+
+/// Soil first, then dummies, then mirror images of soil; every array has an entry for every
+/// particle. SI; components xx, yy, zz, xy, yz, zx.
+struct ReferenceParticles {
+  std::size_t soil_count = 0, wall_count = 0;
+  std::vector<std::array<double, 3>> position, velocity;  ///< dummies: velocity of their wall
+  std::vector<double> density, volume, sound_speed;
+  std::vector<double> diffusivity;  ///< D of the stress diffusion [m2/s]
+  std::vector<std::array<double, 6>> stress;
+  std::vector<std::array<double, 6>> artificial_stress;  ///< R of Eq. 27 [Pa m6/kg2]
+  std::vector<ReferenceFace> face;                       ///< read for dummies only
+
+  std::size_t size() const { return position.size(); }
+  bool is_wall(std::size_t k) const { return k >= soil_count && k < soil_count + wall_count; }
+};
+
+struct ReferenceSettings {
+  int dimension = 3;
+  ReferenceSmoothing smoothing = ReferenceSmoothing::yang_liu;
+  double smoothing_length = 1.0;
+  double lattice_moment = 1.0;  ///< grad W is divided by it
+  double viscosity_alpha = 0.0, viscosity_beta = 0.0;
+  double spacing = 1.0;  ///< dx of F = W(r)/W(dx)
+  double tension_exponent = 2.55;
+  std::array<double, 3> gravity{};  ///< [m/s2]; for walls less the acceleration of the wall
+};
+
+/// A sum with what its rounding is measured by.
+struct ReferenceSum {
+  double value = 0.0;
+  double largest = 0.0;  ///< magnitude of its largest term
+
+  void add(double term) {
+    value += term;
+    largest = std::fmax(largest, std::fabs(term));
+  }
+};
+
+/// Rates of one soil particle; names as in PairSweepView.
+struct ReferenceRate {
+  int neighbours = 0;
+  ReferenceSum density_rate;
+  std::array<ReferenceSum, 9> velocity_gradient;
+  std::array<ReferenceSum, 6> moment;
+  std::array<ReferenceSum, 3> acceleration;
+  double largest_artificial = 0.0;  ///< largest term of the artificial stress without F^n [m/s2]
+  double approach_rate = 0.0;
+  std::array<ReferenceSum, 6> diffusion_rate;
+  ReferenceSum diffusion_slope;
+};
+
+/// Rates of all soil particles. Equation: E19, E20, E23, E24, E26, E27, B1, D1, K1. Cost: O(N^2).
+std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& particles,
+                                                const ReferenceSettings& settings);
+
+/// Stress of all dummies [Pa] and, beside the sums, their largest terms. Equation: B2. Cost:
+/// O(N^2).
+std::vector<std::array<ReferenceSum, 6>> wall_stress_reference(const ReferenceParticles& particles,
+                                                               const ReferenceSettings& settings);
+
+/// Positive part of the stress by its eigenvectors; in 2D of its in-plane block. Equation: E27.
+std::array<double, 6> positive_part_reference(const std::array<double, 6>& stress, int dimension);
+
+}  // namespace scarp::kernels

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Views of the particle arrays that sweeps and passes read and write; they own nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace scarp::kernels {
+
+/// Rates a sweep gathers: all at once (Verlet), or one half each (kick-drift-kick).
+enum class Terms { fused, gradient, force };
+
+/// Order of the components of a symmetric tensor everywhere; 2D uses the first four.
+enum Component { xx, yy, zz, xy, yz, zx };
+
+/// What a pair needs of particle j, packed so that one pair touches one or two cache lines.
+/// Positions are in units of h; `volume` is V_j alpha_D / (h^(d+1) M), so that factor times dW/dq /
+/// q times a position difference is V_j grad W; `diffusivity` is D_j / h.
+enum RecordSlot {
+  record_x,
+  record_y,
+  record_z,
+  record_velocity_x,
+  record_velocity_y,
+  record_velocity_z,
+  record_volume,
+  record_density,
+  record_sound_speed,
+  record_stress,  ///< six components
+  record_diffusivity = record_stress + 6,
+  record_size
+};
+static_assert(record_size == 16);
+
+/// Artificial stress of particle j times its density (Eq. 27), six components and two of padding.
+inline constexpr int tension_record_size = 8;
+
+/// Wall face of a dummy particle: unit normal towards the soil, distance behind the face in units
+/// of h.
+enum WallSlot { wall_normal_x, wall_normal_y, wall_normal_z, wall_distance, wall_record_size };
+
+/// Neighbours of clusters of particles: entries [soil_begin(c), wall_begin(c)) are soil or images,
+/// [wall_begin(c), end(c)) dummies; both ranges are padded to `entry_block` with the far record.
+struct NeighbourView {
+  const std::int32_t* entries;
+  const std::int64_t* soil_begin;
+  const std::int64_t* wall_begin;
+  const std::int64_t* end;
+};
+inline constexpr int entry_block = 8;
+
+/// Coefficients of the smoothing function, see `kernels/smoothing/smoothing.hpp`, in truncated
+/// powers b = max(2-q, 0), a = max(1-q, 0).
+template <class Real>
+struct SmoothingView {
+  Real derivative[3];     ///< of b^2, b^3, b^4
+  Real derivative_inner;  ///< of a^2
+  Real value[3];          ///< of b^3, b^4, b^5, scaled by alpha_D / h^d
+  Real value_inner;       ///< of a^3
+};
+
+inline constexpr int tension_degree = 10;
+
+/// Run-time constants of a pair sweep.
+template <class Real>
+struct PairConstants {
+  SmoothingView<Real> smoothing;
+  Real viscosity_alpha;
+  Real viscosity_beta;
+  Real gravity[3];  ///< times h [m2/s2], for the lithostatic part of diffusion
+  Real tension_factor[2]
+                     [tension_degree + 1];  ///< F^n on 0 <= q < 1 and 1 <= q < 2, in t = 2q-1, 2q-3
+};
+
+/// Input and output of a pair sweep. Outputs are SoA by particle, SI; a null pointer leaves one
+/// out.
+template <class Real>
+struct PairSweepView {
+  const Real* records;          ///< soil, dummies, mirror images, far record; x record_size
+  const Real* tension_records;  ///< x tension_record_size; null: no artificial stress
+  const std::uint8_t* tension;  ///< 1 where the tension record is not zero
+  const Real* wall_records;     ///< dummies x wall_record_size, first dummy is `first_wall`
+  std::int64_t first_wall;
+  NeighbourView neighbours;
+  PairConstants<Real> constants;
+  double smoothing_length;
+  double* density_rate;          ///< Eq. 19 [kg/m3/s]
+  double* velocity_gradient[9];  ///< L_ab = dv_a/dx_b, row-major 3 x 3 [1/s]
+  double* moment[6];             ///< sum_j V_j (x_j - x_i) grad W [-]
+  double* acceleration[3];       ///< Eq. 20 without gravity [m/s2]
+  double* approach_rate;         ///< max_j of -mu_ij of Eq. 26, >= 0 [m/s]
+  double* diffusion_rate[6];  ///< stress rate of the diffusion before its lithostatic part [Pa/s]
+  double* diffusion_slope;    ///< sum of its weights times g.(x_i - x_j) [m2/s3]
+};
+
+/// State and rates of a range of particles for the stress pass and the update; SoA, SI, null where
+/// the scene does not use a field.
+struct ParticleView {
+  double* position[3];
+  double* velocity[3];
+  double* density;
+  double* stress[6];
+  double* previous_velocity[3];  ///< level n-1 of the Verlet scheme
+  double* previous_density;
+  double* previous_stress[6];
+  double* accumulated_plastic_strain;
+  double* plastic_work;    ///< per mass [J/kg]
+  double* diffusion_work;  ///< per mass [J/kg]
+  double* stress_work;     ///< of the stress on the strain the stress pass used, per mass [J/kg]
+  double* diffusivity;     ///< D of the stress diffusion [m2/s]
+  const double* density_rate;
+  const double* velocity_gradient[9];
+  const double* moment[6];
+  const double* acceleration[3];
+  const double* diffusion_rate[6];
+  const double* diffusion_slope;
+};
+
+/// What the stress pass needs besides the particles: one material, one step.
+struct StressPassConstants {
+  double bulk_modulus;
+  double shear_modulus;
+  double alpha_phi, k_c, alpha_psi;  ///< Eqs. 9-12; unused by elastic materials
+  double reference_density;
+  double density_minimum, density_maximum;  ///< absolute [kg/m3]; applied if gradient_correction
+  double leap;                              ///< time over which the rates act [s]
+  double plastic_share;                     ///< part of a plastic increment that is new: dt / leap
+  double smoothing_length;
+  double diffusion_cap;  ///< 0: no diffusion
+  double diffusion_shear_gate;
+  double gravity[3];
+  double k0;  ///< horizontal over vertical stress, for the diffusion
+  bool gradient_correction;
+  bool hughes_winget;
+  int plasticity;  ///< 0 return mapping, 1 rate, 2 rate with Bui's corrections
+};
+
+/// What the Verlet update needs besides StressPassConstants.
+struct VerletConstants {
+  double dt;       ///< from n to n+1 [s]
+  bool leaps;      ///< base level is n-1 (Eq. 28); false: n (Eq. 29)
+  double damping;  ///< c_d of F = -c_d v [1/s]
+};
+
+/// Candidate test of the list build: which of `count` points lie within `radius` of any of
+/// `cluster_count`.
+struct CandidateView {
+  const double* x;
+  const double* y;
+  const double* z;
+  int count;  ///< padded by 8 with far points
+  const double* cluster_x;
+  const double* cluster_y;
+  const double* cluster_z;
+  int cluster_count;
+  double radius_squared;
+};
+
+/// Input and output of the wall sweep: stress of dummy particles from the soil near them.
+template <class Real>
+struct WallSweepView {
+  const Real* records;
+  NeighbourView neighbours;  ///< clusters of dummies, entries in the soil range
+  SmoothingView<Real> smoothing;
+  Real gravity[3];          ///< g - a_wall, times h [m2/s2]
+  std::int64_t first_wall;  ///< index of the first dummy in `records`
+  double* stress[6];        ///< by dummy [Pa]
+};
+
+}  // namespace scarp::kernels

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Dummy particles that stand for the walls of a scene.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace scarp {
+
+/// Dummy particles before sorting; all at time 0 (walls not yet moved).
+struct WallDummies {
+  std::vector<Vec3> position;     ///< [m]
+  std::vector<Vec3> normal;       ///< of the wall face it belongs to, towards the soil [-]
+  std::vector<double> distance;   ///< behind that face, > 0 [m]
+  std::vector<std::size_t> wall;  ///< index into Scene::walls
+};
+
+/// Layers of dummies that the support 2h needs; a soil particle that touches the face still sees it
+/// full.
+int wall_layers(const Scene& scene);
+
+/// Layers of dummies behind every facet, spacing dx, first layer half a spacing behind the face.
+/// Columns are centred on the facet. At a concave corner (another facet faces back over the edge)
+/// the grid goes on beyond the facet by the thickness; free edges stay as they are. Convex corners
+/// stay clean: a site is dropped if the way to it from the face comes out of the wall through
+/// another facet or ends within a quarter spacing of its back, or, beyond an edge, if it is on the
+/// soil side of another facet (inside its footprint and within the thickness). Sites in the cell of
+/// one already placed, or closer than half a spacing to it, are dropped; walls that neither move
+/// nor go are placed first. A dummy behind several faces belongs to a no-slip face if there is one,
+/// else to the nearest plane; one above a facet asks only facets it is above, and one of a lasting
+/// wall only lasting walls. Source: layout after Bui et al. 2008; numerics in kernels/EQUATIONS.md.
+/// Errors: SceneError if a facet is shorter than a spacing or the count exceeds what memory holds.
+WallDummies generate_dummies(const Scene& scene);
+
+}  // namespace scarp

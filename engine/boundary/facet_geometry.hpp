@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Where a point lies with respect to a flat piece of wall.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace scarp::geometry {
+
+inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+/// a + s b.
+inline Vec3 plus(const Vec3& a, double s, const Vec3& b) {
+  return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
+}
+
+/// A point in the axes of a facet.
+struct FacetCoordinates {
+  double u = 0.0;      ///< along tangent_u from the origin [m]
+  double v = 0.0;      ///< along tangent_v; 0 in 2D [m]
+  double depth = 0.0;  ///< behind the face; negative on the soil side [m]
+
+  bool above(const Facet& facet, double margin) const {
+    return u >= -margin && u <= facet.length_u + margin && v >= -margin &&
+           v <= facet.length_v + margin;
+  }
+  /// To the nearest point of the facet [m].
+  double distance(const Facet& facet) const {
+    return std::hypot(u - std::clamp(u, 0.0, facet.length_u),
+                      v - std::clamp(v, 0.0, facet.length_v), depth);
+  }
+};
+
+inline FacetCoordinates coordinates(const Facet& facet, int dimension, const Vec3& point) {
+  const Vec3 offset = minus(point, facet.origin);
+  return {dot(offset, facet.tangent_u), dimension == 3 ? dot(offset, facet.tangent_v) : 0.0,
+          -dot(offset, facet.normal)};
+}
+
+/// Whether the straight way from `foot` to `point` leaves the wall through this facet, from its
+/// back to its soil side.
+inline bool comes_out(const Facet& facet, int dimension, const Vec3& foot, const Vec3& point,
+                      double tolerance) {
+  const double before = coordinates(facet, dimension, foot).depth;
+  const double after = coordinates(facet, dimension, point).depth;
+  if (!(before > tolerance && after < -tolerance)) return false;
+  const Vec3 crossing = plus(foot, before / (before - after), minus(point, foot));
+  return coordinates(facet, dimension, crossing).above(facet, tolerance);
+}
+
+}  // namespace scarp::geometry

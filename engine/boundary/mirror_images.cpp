@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Mirror images of the soil behind free-slip walls.
+#include "engine/boundary/mirror_images.hpp"
+
+#include <algorithm>
+
+#include "kernels/tensor.hpp"
+
+namespace scarp {
+namespace {
+
+using namespace kernels;
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+void reflect(double* vector, const Vec3& normal, double along) {
+  for (std::size_t a = 0; a < 3; ++a) vector[a] -= 2.0 * along * normal[a];
+}
+
+void reflect_tensor(double* s, const Vec3& n) {
+  Tensor<double> r;
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) r.m[a][b] = (a == b ? 1.0 : 0.0) - 2.0 * n[a] * n[b];
+  }
+  const SymTensor<double> t =
+      rotated(SymTensor<double>{s[xx], s[yy], s[zz], s[xy], s[yz], s[zx]}, r);
+  s[xx] = t.xx;
+  s[yy] = t.yy;
+  s[zz] = t.zz;
+  s[xy] = t.xy;
+  s[yz] = t.yz;
+  s[zx] = t.zx;
+}
+
+/// Inside the facet's footprint, which is widened by `margin` on every side.
+bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
+  const double s = dot(from_origin, facet.tangent_u), t = dot(from_origin, facet.tangent_v);
+  const bool flat = facet.length_v == 0.0;
+  return s >= -margin && s < facet.length_u + margin &&
+         (flat || (t >= -margin && t < facet.length_v + margin));
+}
+
+}  // namespace
+
+void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
+                          const std::vector<Vec3>& wall_offset, const PointSpan& soil,
+                          std::span<const SlotRange> ranges, double reach) {
+  images_.clear();
+  for (auto& axis : position_) axis.clear();
+  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+    if (scene.walls[w].kind != WallKind::free_slip || !stands[w]) continue;
+    for (const Facet& facet : scene.walls[w].facets) {
+      const auto earlier = count();
+      const auto consider = [&](const Vec3& x, std::int64_t source, double margin) {
+        Vec3 from;
+        for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - wall_offset[w][a];
+        const double distance = dot(from, facet.normal);
+        // Soil that has come a little behind the face keeps its image, which pushes it back.
+        if (distance > reach || distance < -0.125 * reach || !in_footprint(facet, from, margin))
+          return;
+        images_.push_back({source, w, facet.normal, facet.origin});
+        for (std::size_t a = 0; a < 3; ++a)
+          position_[a].push_back(x[a] - 2.0 * distance * facet.normal[a]);
+      };
+      for (const SlotRange& range : ranges) {
+        for (std::int64_t k = range.begin; k < range.end; ++k) {
+          consider({soil.x[k], soil.y[k], soil.z != nullptr ? soil.z[k] : 0.0}, k, 0.0);
+        }
+      }
+      for (std::int64_t g = 0; g < earlier; ++g) {
+        const auto image = static_cast<std::size_t>(g);
+        // An image straight behind this very plane is no neighbour of it; those of other planes
+        // are.
+        if (images_[image].normal == facet.normal) continue;
+        consider({position_[0][image], position_[1][image], position_[2][image]}, -1 - g, reach);
+      }
+    }
+  }
+}
+
+void MirrorImages::pack(Records& records, double inverse_smoothing_length,
+                        const std::vector<Vec3>& wall_offset,
+                        const std::vector<Vec3>& wall_velocity) const {
+  for (std::size_t g = 0; g < images_.size(); ++g) {
+    const Image& image = images_[g];
+    const std::int64_t source =
+        image.source >= 0 ? image.source : records.first_image() - 1 - image.source;
+    const double* from = records.record(source);
+    double* to = records.record(records.first_image() + static_cast<std::int64_t>(g));
+    std::copy_n(from, record_size, to);
+    double distance = 0.0, velocity = 0.0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double plane =
+          (image.origin[a] + wall_offset[image.wall][a]) * inverse_smoothing_length;
+      distance += (from[record_x + a] - plane) * image.normal[a];
+      velocity += (from[record_velocity_x + a] - wall_velocity[image.wall][a]) * image.normal[a];
+    }
+    reflect(to + record_x, image.normal, distance);
+    reflect(to + record_velocity_x, image.normal, velocity);
+    reflect_tensor(to + record_stress, image.normal);
+  }
+}
+
+void MirrorImages::pack_tension(Records& records) const {
+  for (std::size_t g = 0; g < images_.size(); ++g) {
+    const Image& image = images_[g];
+    const std::int64_t source =
+        image.source >= 0 ? image.source : records.first_image() - 1 - image.source;
+    const std::int64_t target = records.first_image() + static_cast<std::int64_t>(g);
+    if (records.tension(source) == 0 && records.tension(target) == 0) continue;
+    records.tension(target) = records.tension(source);
+    std::copy_n(records.tension_record(source), tension_record_size,
+                records.tension_record(target));
+    reflect_tensor(records.tension_record(target), image.normal);
+  }
+}
+
+}  // namespace scarp

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Mirror images of the soil behind free-slip walls: exact planes of symmetry.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/cells/cell_grid.hpp"
+#include "engine/particles/aligned_vector.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/sweep/records.hpp"
+
+namespace scarp {
+
+/// Images are chosen when the lists are built and follow their sources every step: position and
+/// normal velocity (relative to the wall) reflected, stress R sigma R with R = I - 2 n n^T.
+/// Equation: B3. Limits: faces are flat; faces that meet must do so at right angles (images of
+/// images fill the corner).
+class MirrorImages {
+ public:
+  /// Soil within `reach` in front of a standing free-slip facet and inside its footprint, then the
+  /// images of images across the facets that follow.
+  void select(const Scene& scene, const std::vector<bool>& stands,
+              const std::vector<Vec3>& wall_offset, const PointSpan& soil,
+              std::span<const SlotRange> ranges, double reach);
+
+  std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
+  PointSpan points() const {
+    return {position_[0].data(), position_[1].data(), position_[2].data()};
+  }
+  std::size_t wall_of(std::int64_t image) const {
+    return images_[static_cast<std::size_t>(image)].wall;
+  }
+
+  /// Records of the images from those of their sources.
+  void pack(Records& records, double inverse_smoothing_length, const std::vector<Vec3>& wall_offset,
+            const std::vector<Vec3>& wall_velocity) const;
+  /// Artificial stress of the images from that of their sources.
+  void pack_tension(Records& records) const;
+  std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
+
+ private:
+  struct Image {
+    std::int64_t source;  ///< soil slot, or -1 - image
+    std::size_t wall;
+    Vec3 normal;
+    Vec3 origin;  ///< a point of the facet before its wall moved
+  };
+  std::vector<Image> images_;
+  AlignedVector<double> position_[3];
+};
+
+}  // namespace scarp

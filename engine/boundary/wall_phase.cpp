@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The walls' phase of a step: dummies into the records, stress from the soil.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/state.hpp"
+
+namespace scarp {
+namespace {
+
+/// Dummies take density and stiffness of the scene's most common material: the momentum equation
+/// does not see either, continuity and viscosity only slightly.
+WallMaterial wall_material(const State& state) {
+  const auto& groups = state.particles.groups();
+  const auto most = std::max_element(
+      groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
+  const double density = state.scene.materials[most->material].density;
+  return {density, std::sqrt(state.scaling.wave_modulus[most->material] / density),
+          state.particle_volume * state.scaling.gradient_factor};
+}
+
+}  // namespace
+
+void extrapolate_wall_stress(State& state) {
+  if (state.walls.count() == 0) return;
+  state.walls.pack(state.records, state.scaling.inverse_smoothing_length, wall_material(state),
+                   state.wall_velocity);
+  kernels::WallSweepView<double> view{};
+  kernels::PairSweepView<double> records{};
+  state.records.fill(records, false);
+  view.records = records.records;
+  view.first_wall = records.first_wall;
+  view.neighbours = state.wall_lists.view();
+  view.smoothing = state.pair_constants.smoothing;
+  for (std::size_t a = 0; a < 3; ++a)
+    view.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
+  state.walls.extrapolate_stress(state.threads, *state.kernels.table, state.scene.dimension,
+                                 state.wall_lists, view, state.records);
+}
+
+}  // namespace scarp

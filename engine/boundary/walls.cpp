@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Dummy particles of the walls during a run.
+#include "engine/boundary/walls.hpp"
+
+#include <algorithm>
+
+#include "engine/parallel.hpp"
+
+namespace scarp {
+
+using namespace kernels;
+
+Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size) {
+  std::vector<std::size_t> kept;
+  AlignedVector<double> axes[3];
+  for (std::size_t k = 0; k < dummies.wall.size(); ++k) {
+    if (!stands[dummies.wall[k]]) continue;
+    kept.push_back(k);
+    for (std::size_t a = 0; a < 3; ++a) axes[a].push_back(dummies.position[k][a]);
+  }
+  slots_ = padded(static_cast<std::int64_t>(kept.size()));
+  CellGrid grid;
+  const SlotRange all{0, static_cast<std::int64_t>(kept.size())};
+  grid.build(1, {axes[0].data(), axes[1].data(), axes[2].data()}, {&all, 1}, cell_size);
+  for (std::size_t a = 0; a < 3; ++a) position_[a].assign(static_cast<std::size_t>(slots_), 0.0);
+  for (auto& component : stress_) component.assign(static_cast<std::size_t>(slots_), 0.0);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const std::size_t source = kept[static_cast<std::size_t>(grid.order()[k])];
+    for (std::size_t a = 0; a < 3; ++a) position_[a][k] = dummies.position[source][a];
+    normal_.push_back(dummies.normal[source]);
+    distance_.push_back(dummies.distance[source]);
+    wall_.push_back(dummies.wall[source]);
+  }
+}
+
+PointSpan Walls::points() const {
+  return {position_[0].data(), position_[1].data(), position_[2].data()};
+}
+
+void Walls::move(std::size_t wall, const Vec3& step) {
+  for (std::size_t k = 0; k < wall_.size(); ++k) {
+    if (wall_[k] != wall) continue;
+    for (std::size_t a = 0; a < 3; ++a) position_[a][k] += step[a];
+  }
+}
+
+void Walls::pack(Records& records, double inverse_smoothing_length, const WallMaterial& material,
+                 const std::vector<Vec3>& wall_velocity) const {
+  for (std::int64_t k = 0; k < count(); ++k) {
+    const auto dummy = static_cast<std::size_t>(k);
+    double* r = records.wall(k);
+    double* face = records.wall_face(k);
+    for (std::size_t a = 0; a < 3; ++a) {
+      r[record_x + a] = position_[a][dummy] * inverse_smoothing_length;
+      r[record_velocity_x + a] = wall_velocity[wall_[dummy]][a];
+      face[wall_normal_x + a] = normal_[dummy][a];
+    }
+    r[record_volume] = material.volume;
+    r[record_density] = material.density;
+    r[record_sound_speed] = material.sound_speed;
+    face[wall_distance] = distance_[dummy] * inverse_smoothing_length;
+  }
+}
+
+void Walls::extrapolate_stress(int threads, const KernelTable& kernels, int dimension,
+                               const NeighbourLists& lists, const WallSweepView<double>& base,
+                               Records& records) {
+  WallSweepView<double> view = base;
+  for (std::size_t c = 0; c < 6; ++c) view.stress[c] = stress_[c].data();
+  const auto sweep = kernels.wall_sweep[static_cast<std::size_t>(dimension - 2)];
+  const auto active = lists.active_clusters();
+  const std::int64_t size = kernels.cluster_size;
+  const std::size_t components = dimension == 2 ? 4 : 6;
+  const auto run = [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t a = begin; a < end; ++a) {
+      const std::int64_t cluster = active[static_cast<std::size_t>(a)];
+      sweep(view, cluster, cluster + 1);
+      for (std::int64_t k = cluster * size; k < std::min((cluster + 1) * size, count()); ++k) {
+        const auto dummy = static_cast<std::size_t>(k);
+        for (std::size_t c = 0; c < components; ++c)
+          records.wall(k)[record_stress + c] = stress_[c][dummy];
+      }
+    }
+  };
+  parallel_chunks(threads, static_cast<std::int64_t>(active.size()), 64, run);
+}
+
+std::size_t Walls::bytes() const {
+  return static_cast<std::size_t>(slots_) * 9 * sizeof(double) +
+         wall_.size() * (sizeof(Vec3) + sizeof(double) + sizeof(std::size_t));
+}
+
+}  // namespace scarp

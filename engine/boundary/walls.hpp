@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Dummy particles of the no-slip walls during a run: motion, removal, stress from the soil.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/boundary/dummies.hpp"
+#include "engine/cells/cell_grid.hpp"
+#include "engine/neighbours/neighbour_lists.hpp"
+#include "engine/particles/aligned_vector.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/sweep/records.hpp"
+
+namespace scarp {
+
+/// What dummy particles take over from the soil they touch.
+struct WallMaterial {
+  double density = 1.0;      ///< reference density [kg/m3]
+  double sound_speed = 0.0;  ///< [m/s]
+  double volume = 0.0;       ///< dx^d times RecordScaling::gradient_factor
+};
+
+class Walls {
+ public:
+  Walls() = default;
+  /// Dummies of the walls that stand, in Morton order.
+  Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size);
+
+  std::int64_t count() const { return static_cast<std::int64_t>(wall_.size()); }
+  std::int64_t slots() const { return slots_; }
+  PointSpan points() const;
+  SlotRange range() const { return {0, count()}; }
+  std::size_t wall_of(std::int64_t dummy) const { return wall_[static_cast<std::size_t>(dummy)]; }
+
+  /// Moves the dummies of a wall.
+  void move(std::size_t wall, const Vec3& step);
+
+  /// Positions, velocities and faces into the records; stress follows from `extrapolate_stress`.
+  void pack(Records& records, double inverse_smoothing_length, const WallMaterial& material,
+            const std::vector<Vec3>& wall_velocity) const;
+  /// Wall sweep over the dummies that have soil in reach (B2).
+  void extrapolate_stress(int threads, const kernels::KernelTable& kernels, int dimension,
+                          const NeighbourLists& lists, const kernels::WallSweepView<double>& base,
+                          Records& records);
+  std::size_t bytes() const;
+
+ private:
+  std::int64_t slots_ = 0;
+  AlignedVector<double> position_[3];
+  AlignedVector<double> stress_[6];
+  std::vector<Vec3> normal_;
+  std::vector<double> distance_;
+  std::vector<std::size_t> wall_;
+};
+
+}  // namespace scarp

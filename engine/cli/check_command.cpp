@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// `scarp check`: what a scene is, what it uses and leaves out, what it will need.
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/errors.hpp"
+#include "engine/scene/warnings.hpp"
+
+namespace scarp::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a few real steps tell about the whole run.
+struct Trial {
+  double time_step = 0.0;         ///< [s]
+  double seconds_per_step = 0.0;  ///< NaN: not measured
+  std::size_t memory = 0;         ///< [bytes]
+  std::string failure;
+};
+
+/// Neighbours a particle has in the undisturbed lattice, itself not counted: the support is 2h
+/// wide.
+double lattice_neighbours(const Scene& scene) {
+  const double radius = 2.0 * scene.numerics.smoothing_ratio;  // in spacings
+  const double particles = scene.dimension == 2
+                               ? std::numbers::pi * radius * radius
+                               : 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  return particles - 1.0;
+}
+
+/// The first step builds lists and is not timed; then at most a second or 20 steps.
+Trial try_steps(Simulation& simulation) {
+  using Clock = std::chrono::steady_clock;
+  Trial trial;
+  trial.seconds_per_step = std::numeric_limits<double>::quiet_NaN();
+  try {
+    if (!simulation.finished()) trial.time_step = simulation.step().time_step;
+    const auto start = Clock::now();
+    for (int n = 1; n <= 20 && !simulation.finished(); ++n) {
+      trial.time_step = std::fmax(trial.time_step, simulation.step().time_step);
+      const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+      trial.seconds_per_step = elapsed / n;
+      if (elapsed > 1.0) break;
+    }
+  } catch (const SimulationInstability& instability) {
+    trial.failure = instability.what();
+  }
+  trial.memory = simulation.memory_bytes();
+  return trial;
+}
+
+Json summary(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const std::vector<double> material = simulation.field("material");
+  std::vector<std::size_t> count(scene.materials.size());
+  for (const double m : material) ++count.at(static_cast<std::size_t>(m));
+  Json json{{"title", scene.title},
+            {"file", scene.file},
+            {"dimension", scene.dimension},
+            {"preset", scene.numerics.preset},
+            {"particles", simulation.soil_count()},
+            {"wall_particles", simulation.wall_count()},
+            {"spacing", scene.spacing},
+            {"smoothing_length", simulation.smoothing_length()},
+            {"neighbours", lattice_neighbours(scene)},
+            {"lattice_moment", simulation.lattice_moment()},
+            {"isa", simulation.isa()},
+            {"threads", simulation.threads()},
+            {"materials", Json::array()},
+            {"stages", Json::array()},
+            {"features", Json::array()},
+            {"warnings", warnings(scene)}};
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    json["materials"].push_back({{"name", scene.materials[m].name},
+                                 {"model", scene.materials[m].model},
+                                 {"particles", count[m]}});
+  }
+  for (const Stage& stage : scene.stages) {
+    json["stages"].push_back({{"name", stage.name},
+                              {"until", stage.until == StageEnd::rest ? "rest" : "duration"},
+                              {"duration", stage.duration},
+                              {"strength_reduction", stage.strength_reduction}});
+  }
+  for (const UsedFeature& feature : simulation.features()) {
+    json["features"].push_back(
+        {{"name", feature.name}, {"used", feature.used}, {"note", feature.note}});
+  }
+  return json;
+}
+
+void add_trial(Json& json, const Trial& trial, double simulated_time) {
+  json["time_step"] = trial.time_step;
+  const double steps = std::ceil(simulated_time / trial.time_step);
+  json["expected_steps"] = steps;
+  json["expected_wall_s"] = steps * trial.seconds_per_step;
+  json["particle_steps_per_s"] = json["particles"].get<double>() / trial.seconds_per_step;
+  json["memory_bytes"] = trial.memory;
+  json["trial_failure"] = trial.failure.empty() ? Json() : Json(trial.failure);
+}
+
+void line(std::string_view name, const std::string& value) {
+  fmt::print("{:<18}{}\n", name, value);
+}
+
+void print(const Simulation& simulation, const Json& json, const Trial& trial) {
+  const Scene& scene = simulation.scene();
+  line("scene", fmt::format("{} ({})", scene.title.empty() ? "untitled" : scene.title, scene.file));
+  line("dimension", scene.dimension == 2 ? "2, plane strain" : "3");
+  line("particles",
+       fmt::format("{} soil, {} wall", simulation.soil_count(), simulation.wall_count()));
+  line("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.spacing,
+                              simulation.smoothing_length()));
+  line("neighbours", fmt::format("about {:.0f} per particle", lattice_neighbours(scene)));
+  line("preset", scene.numerics.preset);
+  line("machine", fmt::format("{}, {} threads", simulation.isa(), simulation.threads()));
+  line("memory", readable_bytes(static_cast<double>(trial.memory)));
+  if (trial.time_step > 0.0) {
+    line("time step", fmt::format("about {:.3g} s", trial.time_step));
+    line("steps", fmt::format("about {:.0f} for at most {:g} s",
+                              json["expected_steps"].get<double>(), total_duration(scene)));
+  }
+  if (std::isfinite(trial.seconds_per_step)) {
+    line("run time",
+         fmt::format("about {} ({:.3g} M particle-steps/s in a short trial, without output)",
+                     readable_duration(json["expected_wall_s"].get<double>()),
+                     json["particle_steps_per_s"].get<double>() / 1e6));
+  }
+  fmt::print("\nmaterials\n");
+  for (const Json& material : json["materials"]) {
+    fmt::print("  {:<20} {:<18} {} particles\n", material["name"].get<std::string>(),
+               material["model"].get<std::string>(), material["particles"].get<std::size_t>());
+  }
+  fmt::print("\nstages\n");
+  for (const Stage& stage : scene.stages) {
+    fmt::print("  {:<20} {} {:g} s{}\n", stage.name,
+               stage.until == StageEnd::rest ? "until rest, at most" : "for", stage.duration,
+               stage.strength_reduction != 1.0
+                   ? fmt::format(", strength reduced by {:g}", stage.strength_reduction)
+                   : "");
+  }
+  fmt::print("\n{:<30} {:<10} {}\n", "feature", "", "note");
+  for (const UsedFeature& feature : simulation.features()) {
+    fmt::print("{:<30} {:<10} {}\n", feature.name, feature.used ? "used" : "left out",
+               feature.note);
+  }
+  for (const Json& warning : json["warnings"]) {
+    fmt::print("\nwarning: {}\n", warning.get<std::string>());
+  }
+  if (!trial.failure.empty()) fmt::print("\nThe first steps already fail: {}\n", trial.failure);
+}
+
+}  // namespace
+
+int check_command(const SceneArguments& arguments) {
+  Simulation simulation(load_scene(arguments), arguments.options);
+  Json json = summary(simulation);
+  const Trial trial = try_steps(simulation);
+  add_trial(json, trial, total_duration(simulation.scene()));
+  if (arguments.json != "-") print(simulation, json, trial);
+  if (!arguments.json.empty()) write_text(arguments.json, json.dump(2) + "\n");
+  return trial.failure.empty() ? ok : unstable;
+}
+
+}  // namespace scarp::cli

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Text and timing of the progress display.
+
+#include "engine/cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace scarp::cli {
+
+std::string readable_duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds > 3.6e8) return "unknown";
+  const auto s = static_cast<long>(std::lround(std::fmax(seconds, 0.0)));
+  if (s >= 86400) return fmt::format("{} d {:02} h", s / 86400, s % 86400 / 3600);
+  if (s >= 3600) return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
+  if (s >= 60) return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return seconds < 10.0 ? fmt::format("{:.1f} s", std::fmax(seconds, 0.0)) : fmt::format("{} s", s);
+}
+
+std::string readable_bytes(double bytes) {
+  const double mebibytes = bytes / (1024.0 * 1024.0);
+  return mebibytes < 1024.0 ? fmt::format("{:.3g} MiB", mebibytes)
+                            : fmt::format("{:.3g} GiB", mebibytes / 1024.0);
+}
+
+double total_duration(const Scene& scene) {
+  double total = 0.0;
+  for (const Stage& stage : scene.stages) total += stage.duration;
+  return total;
+}
+
+Progress::Progress(double total_time, bool quiet)
+    : total_time_(total_time), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void Progress::update(const Simulation& simulation) {
+  if (quiet_) return;
+  const auto now = Clock::now();
+  const double pause = terminal_ ? 0.2 : 5.0;
+  if (std::chrono::duration<double>(now - last_).count() < pause) return;
+  last_ = now;
+  // A stage that ends at rest before its time is up counts as done in full.
+  const Scene& scene = simulation.scene();
+  double done = simulation.last_step().stage_time;
+  for (std::size_t s = 0; s < std::min(simulation.stage_index(), scene.stages.size()); ++s) {
+    done += scene.stages[s].duration;
+  }
+  const double fraction = total_time_ > 0.0 ? std::clamp(done / total_time_, 0.0, 1.0) : 0.0;
+  const std::string line =
+      text(simulation, std::chrono::duration<double>(now - start_).count(), fraction);
+  if (terminal_) {
+    constexpr int width = 24;
+    const int filled = static_cast<int>(std::lround(fraction * width));
+    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}", "", filled, "", width - filled, line);
+  } else {
+    fmt::print(stderr, "{}\n", line);
+  }
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+std::string Progress::text(const Simulation& simulation, double elapsed, double fraction) const {
+  const Scene& scene = simulation.scene();
+  const StepReport& report = simulation.last_step();
+  const std::size_t stage = simulation.stage_index();
+  const double rate = static_cast<double>(simulation.soil_count()) *
+                      static_cast<double>(report.step) / std::fmax(elapsed, 1e-9);
+  return fmt::format("{:3.0f} %  {:.4g} s  {}  step {}  {:.3g} M particle-steps/s  {} left",
+                     100.0 * fraction, report.time,
+                     stage < scene.stages.size() ? scene.stages[stage].name : "-", report.step,
+                     rate / 1e6,
+                     fraction > 0.0 ? readable_duration(elapsed * (1.0 - fraction) / fraction)
+                                    : std::string("unknown time"));
+}
+
+void Progress::end() {
+  if (terminal_ && drawn_) fmt::print(stderr, "\n");
+  drawn_ = false;
+}
+
+}  // namespace scarp::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Where a run stands, on stderr: a bar on a terminal, a plain line every few seconds elsewhere.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "engine/simulation.hpp"
+
+namespace scarp::cli {
+
+class Progress {
+ public:
+  /// `total_time`: simulated time of all stages, at most [s].
+  Progress(double total_time, bool quiet);
+  void update(const Simulation& simulation);
+  /// Ends the bar's line.
+  void end();
+
+ private:
+  std::string text(const Simulation& simulation, double elapsed, double fraction) const;
+
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+  double total_time_;
+  bool quiet_, terminal_, drawn_ = false;
+};
+
+/// "1 h 05 min", "3 min 20 s", "12 s".
+std::string readable_duration(double seconds);
+
+/// "1.25 GiB", "310 MiB".
+std::string readable_bytes(double bytes);
+
+/// Longest simulated time of all stages [s].
+double total_duration(const Scene& scene);
+
+}  // namespace scarp::cli

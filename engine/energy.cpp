@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Energy balance of a stage: stored energies from the state, dissipated ones from sampled powers.
+#include <algorithm>
+#include <array>
+
+#include "engine/state.hpp"
+#include "kernels/constitutive/stress_pass.hpp"
+#include "kernels/constitutive/yield_return.hpp"
+
+namespace scarp {
+namespace {
+
+using kernels::SymTensor;
+
+/// Powers are sampled every so many steps: each sample costs two force sweeps.
+constexpr std::uint64_t steps_per_sample = 10;
+
+/// Stored energies and per-mass work fields summed over the particles; `plastic` and `diffusion`
+/// since reset.
+struct StoredEnergy {
+  EnergyBalance parts;
+  double stress_work = 0.0;
+};
+
+StoredEnergy stored_energy(const State& state) {
+  StoredEnergy sum;
+  const ParticleBuffers& p = state.particles;
+  const int dimension = state.scene.dimension;
+  for (const ParticleGroup& group : p.groups()) {
+    const double mass = state.scaling.mass[group.material];
+    const kernels::StressPassConstants& c = state.material_constants[group.material];
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      const auto value = [&](Field field, int component) {
+        const double* array = p.component(field, component);
+        return array != nullptr ? array[k] : 0.0;
+      };
+      for (int a = 0; a < dimension; ++a) {
+        const double v = value(Field::velocity, a);
+        sum.parts.kinetic += 0.5 * mass * v * v;
+        sum.parts.potential -=
+            mass * state.scene.gravity[static_cast<std::size_t>(a)] * value(Field::position, a);
+      }
+      const SymTensor<double> s{value(Field::stress, 0), value(Field::stress, 1),
+                                value(Field::stress, 2), value(Field::stress, 3),
+                                value(Field::stress, 4), value(Field::stress, 5)};
+      sum.parts.elastic +=
+          0.5 * mass / value(Field::density, 0) * contract(s, kernels::elastic_strain(c, s));
+      sum.parts.plastic += mass * value(Field::plastic_work, 0);
+      sum.parts.diffusion += mass * value(Field::diffusion_work, 0);
+      sum.stress_work += mass * value(Field::stress_work, 0);
+    }
+  }
+  return sum;
+}
+
+using Acceleration = std::array<AlignedVector<double>, 3>;
+
+/// sum m v . a over the soil.
+double power(const State& state, const Acceleration& acceleration) {
+  double sum = 0.0;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (int a = 0; a < state.scene.dimension; ++a) {
+      const double* v = state.particles.component(Field::velocity, a);
+      const double* f = acceleration[static_cast<std::size_t>(a)].data();
+      double part = 0.0;
+      for (std::int64_t k = group.first; k < group.end(); ++k) part += v[k] * f[k];
+      sum += state.scaling.mass[group.material] * part;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// Called after the sweep of a step, with velocity and records of the same instant.
+void sample_energy(State& state) {
+  EnergyLedger& ledger = state.ledger;
+  if (!state.scene.output.energy || state.report.step < ledger.last_step + steps_per_sample) return;
+  const double interval = state.report.time - ledger.last_time;
+  ledger.last_time = state.report.time;
+  ledger.last_step = state.report.step;
+
+  Acceleration acceleration;
+  kernels::PairSweepView<double> view = sweep_view(state);
+  view.approach_rate = nullptr;
+  for (std::size_t a = 0; a < 3; ++a) {
+    acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
+    view.acceleration[a] = acceleration[a].data();
+  }
+  const auto power_of = [&](bool viscosity, bool tension) {
+    if (!viscosity) view.constants.viscosity_alpha = view.constants.viscosity_beta = 0.0;
+    state.records.fill(view, tension && state.kernels.artificial_stress);
+    sweep_force_with(state, view);
+    return power(state, acceleration);
+  };
+  const double total = power_of(true, true);
+  const double without_viscosity = power_of(false, true);
+  const double stress_only =
+      state.kernels.artificial_stress ? power_of(false, false) : without_viscosity;
+  ForcePowers now;
+  now.viscous = without_viscosity - total;
+  now.artificial_stress = stress_only - without_viscosity;
+  now.stress = stress_only;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (int a = 0; a < state.scene.dimension; ++a) {
+      const double* v = state.particles.component(Field::velocity, a);
+      const double drag = state.stage.damping * state.scaling.mass[group.material];
+      for (std::int64_t k = group.first; k < group.end(); ++k) now.damping += drag * v[k] * v[k];
+    }
+  }
+  if (std::any_of(state.wall_velocity.begin(), state.wall_velocity.end(),
+                  [](const Vec3& v) { return v != Vec3{}; })) {
+    const std::vector<WallReaction> reactions = wall_reactions(state);
+    for (std::size_t w = 0; w < reactions.size(); ++w) {
+      for (std::size_t a = 0; a < 3; ++a)
+        now.wall += reactions[w].force[a] * state.wall_velocity[w][a];
+    }
+  }
+  const auto add = [&](double ForcePowers::*part) {
+    ledger.work.*part += 0.5 * interval * (ledger.last_powers.*part + now.*part);
+  };
+  for (const auto part :
+       {&ForcePowers::stress, &ForcePowers::viscous, &ForcePowers::artificial_stress,
+        &ForcePowers::damping, &ForcePowers::wall}) {
+    add(part);
+  }
+  ledger.last_powers = now;
+}
+
+EnergyBalance energy_balance(const State& state) {
+  const EnergyLedger& ledger = state.ledger;
+  const StoredEnergy now = stored_energy(state);
+  EnergyBalance e;
+  e.kinetic = now.parts.kinetic;
+  e.potential = now.parts.potential - ledger.start.potential;
+  e.elastic = now.parts.elastic - ledger.start.elastic;
+  e.plastic = now.parts.plastic - ledger.start.plastic;
+  e.diffusion = now.parts.diffusion - ledger.start.diffusion;
+  e.viscous = ledger.work.viscous;
+  e.damping = ledger.work.damping;
+  e.artificial_stress = ledger.work.artificial_stress;
+  e.wall = ledger.work.wall;
+  if (state.scene.output.energy) {
+    e.gradient_residue =
+        -ledger.work.stress - (now.stress_work - ledger.stress_work_start) - e.wall;
+    e.imbalance =
+        -(e.kinetic - ledger.start.kinetic + e.potential + e.elastic + e.plastic + e.viscous +
+          e.damping + e.wall + e.artificial_stress + e.gradient_residue + e.diffusion);
+  }
+  return e;
+}
+
+void start_ledger(State& state) {
+  const StoredEnergy now = stored_energy(state);
+  state.ledger = EnergyLedger{};
+  state.ledger.last_time = state.report.time;
+  state.ledger.last_step = state.report.step;
+  state.ledger.start = now.parts;
+  state.ledger.stress_work_start = now.stress_work;
+}
+
+}  // namespace scarp

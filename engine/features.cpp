@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What a run uses and what was left out, for `scarp check`.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "engine/state.hpp"
+
+namespace scarp {
+
+std::vector<UsedFeature> used_features(const State& state) {
+  const Numerics& n = state.scene.numerics;
+  const ParticleBuffers& p = state.particles;
+  const bool three = state.scene.dimension == 3;
+  const auto bytes = [&](std::initializer_list<Field> fields) {
+    int stored = 0;
+    for (const Field field : fields) {
+      for (int c = 0; c < component_count(row(field).rank); ++c) {
+        stored += stores_component(row(field).rank, c, state.scene.dimension) ? 8 : 0;
+      }
+    }
+    return fmt::format("{} bytes per particle", stored);
+  };
+  const bool plastic = p.has(Field::accumulated_plastic_strain);
+  const bool verlet = n.integrator == Integrator::verlet;
+  return {
+      {"third dimension", three,
+       three ? "3D sweep" : "2D sweep: z, yz and zx are neither stored nor summed"},
+      {"artificial viscosity", state.kernels.viscosity,
+       "Eq. 26, compiled into the sweep only where used"},
+      {"artificial stress", state.kernels.artificial_stress,
+       state.kernels.artificial_stress
+           ? "skipped at run time where no particle of a block is in tension"
+           : "no tension test, no tension records (64 bytes per particle)"},
+      {"gradient correction", n.gradient_correction,
+       "moment of the corrected gradient, " + bytes({Field::moment})},
+      {"stress diffusion", state.kernels.diffusion,
+       bytes({Field::diffusivity, Field::diffusion_rate, Field::diffusion_slope})},
+      {"lattice normalisation", n.lattice_normalisation, "folded into the particle volumes: free"},
+      {"plasticity", plastic,
+       plastic ? "Drucker-Prager pass" : "elastic pass, no plastic strain stored"},
+      {"second time level", verlet,
+       bytes({Field::previous_velocity, Field::previous_density, Field::previous_stress})},
+      {"second sweep per step", !verlet, "kick-drift-kick sweeps gradient and force apart"},
+      {"walls", state.walls.count() > 0,
+       fmt::format("{} dummy particles, swept only near soil", state.walls.count())},
+      {"mirror images",
+       state.images.count() > 0 ||
+           std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
+                       [](const Wall& w) { return w.kind == WallKind::free_slip; }),
+       "soil near free-slip walls is mirrored: exact"},
+      {"moving walls",
+       std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
+                   [](const Wall& w) { return w.velocity != Vec3{}; }),
+       "dummies are moved every step"},
+      {"energy balance", state.scene.output.energy,
+       bytes({Field::stress_work, Field::plastic_work}) +
+           ", two or three more force sweeps every 10 steps"},
+  };
+}
+
+}  // namespace scarp

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Runs a per-particle pass group by group, each with its material's constants and model.
+#pragma once
+
+#include "engine/parallel.hpp"
+#include "engine/state.hpp"
+#include "kernels/constitutive/list.hpp"
+
+namespace scarp {
+
+/// pass(view, constants, model index, begin, end) returns how often the density bounds acted.
+template <class Pass>
+void run_stress_phase(State& state, double dt, double leap, Pass&& pass) {
+  const kernels::ParticleView view = particle_view(state);
+  for (const ParticleGroup& group : state.particles.groups()) {
+    kernels::StressPassConstants constants = state.material_constants[group.material];
+    constants.leap = leap;
+    constants.plastic_share = dt / leap;
+    const auto model =
+        static_cast<std::size_t>(kernels::model_index(state.scene.materials[group.material].model));
+    state.density_bounds += parallel_reduce(
+        state.threads, group.capacity, particle_chunk, std::uint64_t{0},
+        [&](std::int64_t begin, std::int64_t end) {
+          return pass(view, constants, model, static_cast<std::size_t>(group.first + begin),
+                      static_cast<std::size_t>(group.first + end));
+        },
+        [](std::uint64_t& total, std::uint64_t part) { total += part; });
+  }
+}
+
+}  // namespace scarp

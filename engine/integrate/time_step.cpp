@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The variable time step.
+#include "engine/integrate/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/parallel.hpp"
+
+namespace scarp {
+
+StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
+                            const RecordScaling& scaling, const Vec3& gravity, double damping) {
+  const int dimension = particles.dimension();
+  const double *velocity[3], *acceleration[3];
+  particles.components(Field::velocity, velocity);
+  particles.components(Field::acceleration, acceleration);
+  const double* density = particles.component(Field::density);
+  const double* approach = particles.component(Field::approach_rate);
+  StateExtremes result;
+  for (const ParticleGroup& group : particles.groups()) {
+    const double modulus = scaling.wave_modulus[group.material];
+    const auto scan = [&](std::int64_t begin, std::int64_t end) {
+      StateExtremes e;
+      for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+        double speed = 0.0, force = 0.0;
+        for (int a = 0; a < dimension; ++a) {
+          const double v = velocity[a][k];
+          const double f = acceleration[a][k] + gravity[static_cast<std::size_t>(a)] - damping * v;
+          speed += v * v;
+          force += f * f;
+        }
+        const double signal =
+            std::sqrt(modulus / density[k]) + (approach != nullptr ? approach[k] : 0.0);
+        // One sum catches NaN and infinity of every part.
+        if (!(speed + force + signal < 1e300) && e.bad_slot < 0) e.bad_slot = k;
+        e.speed_squared = std::max(e.speed_squared, speed);
+        e.acceleration_squared = std::max(e.acceleration_squared, force);
+        e.signal_speed = std::max(e.signal_speed, signal);
+      }
+      return e;
+    };
+    const StateExtremes part = parallel_reduce(
+        threads, group.count, particle_chunk, StateExtremes{}, scan,
+        [](StateExtremes& total, const StateExtremes& e) {
+          total.speed_squared = std::max(total.speed_squared, e.speed_squared);
+          total.acceleration_squared = std::max(total.acceleration_squared, e.acceleration_squared);
+          total.signal_speed = std::max(total.signal_speed, e.signal_speed);
+          if (total.bad_slot < 0) total.bad_slot = e.bad_slot;
+        });
+    result.speed_squared = std::max(result.speed_squared, part.speed_squared);
+    result.acceleration_squared = std::max(result.acceleration_squared, part.acceleration_squared);
+    result.signal_speed = std::max(result.signal_speed, part.signal_speed);
+    if (result.bad_slot < 0) result.bad_slot = part.bad_slot;
+  }
+  return result;
+}
+
+AdmissibleStep admissible_step(const StateExtremes& extremes, double smoothing_length, double cfl) {
+  const double courant = smoothing_length / extremes.signal_speed;
+  const double acceleration = std::sqrt(extremes.acceleration_squared);
+  const double force = acceleration > 0.0 ? std::sqrt(smoothing_length / acceleration) : courant;
+  return force < courant ? AdmissibleStep{cfl * force, StepLimit::force}
+                         : AdmissibleStep{cfl * courant, StepLimit::courant};
+}
+
+}  // namespace scarp

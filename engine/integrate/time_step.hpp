@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The variable time step, and the extremes of the state it and the stage control need.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/particles/particle_buffers.hpp"
+#include "engine/simulation.hpp"
+#include "engine/sweep/records.hpp"
+
+namespace scarp {
+
+/// Largest values over all soil particles after a sweep.
+struct StateExtremes {
+  double speed_squared = 0.0;         ///< [m2/s2]
+  double acceleration_squared = 0.0;  ///< total, |f_a| of Eq. 30 squared [m2/s4]
+  double signal_speed = 0.0;          ///< c_s + max_b(h v.r/r^2) of Eq. 30 [m/s]
+  std::int64_t bad_slot = -1;         ///< a particle with a value that is not finite, or -1
+};
+
+/// Reads velocity, acceleration, density and approach rate of all particles.
+StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
+                            const RecordScaling& scaling, const Vec3& gravity, double damping);
+
+/// Longest stable step for these extremes. Equation: E30.
+struct AdmissibleStep {
+  double time_step;
+  StepLimit limit;
+};
+AdmissibleStep admissible_step(const StateExtremes& extremes, double smoothing_length, double cfl);
+
+}  // namespace scarp

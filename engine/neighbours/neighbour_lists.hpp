@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Neighbour lists of clusters of consecutive particles, with a skin so that they outlive many
+/// steps.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/cells/cell_grid.hpp"
+#include "engine/particles/aligned_vector.hpp"
+#include "kernels/isa/kernel_table.hpp"
+#include "kernels/particle_view.hpp"
+
+namespace scarp {
+
+/// Points that are searched for neighbours: their cells, coordinates, and the index their first
+/// slot has among the records of the sweep.
+struct NeighbourSource {
+  const CellGrid* grid = nullptr;
+  PointSpan points;
+  std::int64_t first_record = 0;
+};
+
+/// Lists of `ranges` of points (clusters never cross a range): soil and its images, then dummies,
+/// each padded to kernels::entry_block with the far record and the whole followed by two blocks
+/// more.
+class NeighbourLists {
+ public:
+  struct Input {
+    PointSpan points;  ///< of the clusters' particles
+    std::span<const SlotRange>
+        ranges;              ///< valid slots; ranges start at multiples of the cluster size
+    std::int64_t slots = 0;  ///< with padding
+    NeighbourSource soil;
+    NeighbourSource images;  ///< of soil behind free-slip walls; no grid: none
+    NeighbourSource walls;   ///< no grid: none
+    std::int64_t far_record = 0;
+    double reach = 0.0;  ///< support plus skin [m]
+    int dimension = 3;
+  };
+
+  void build(int threads, const kernels::KernelTable& kernels, const Input& input);
+
+  kernels::NeighbourView view() const {
+    return {entries_.data(), soil_begin_.data(), wall_begin_.data(), end_.data()};
+  }
+  std::int64_t clusters() const { return static_cast<std::int64_t>(end_.size()); }
+  /// Clusters that have neighbours at all.
+  std::span<const std::int32_t> active_clusters() const { return active_; }
+  std::int64_t entries() const { return static_cast<std::int64_t>(entries_.size()); }
+  std::size_t bytes() const;
+
+ private:
+  AlignedVector<std::int32_t> entries_;
+  std::vector<std::int64_t> soil_begin_, wall_begin_, end_;
+  std::vector<std::int32_t> active_;
+};
+
+}  // namespace scarp

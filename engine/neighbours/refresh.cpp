@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Keeps order, cells, lists and records up to date with the particles' positions.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "engine/parallel.hpp"
+#include "engine/state.hpp"
+
+namespace scarp {
+namespace {
+
+/// The state is put in Morton order at every so manieth rebuild: order decays slowly, sorting costs
+/// a sweep.
+constexpr std::uint64_t rebuilds_per_sort = 4;
+
+PointSpan points_of(const ParticleBuffers& particles) {
+  return {particles.component(Field::position, 0), particles.component(Field::position, 1),
+          particles.component(Field::position, 2)};
+}
+
+void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
+  std::vector<std::int32_t> order(static_cast<std::size_t>(state.particles.slots()));
+  std::iota(order.begin(), order.end(), 0);
+  std::size_t next = 0;
+  for (const SlotRange& range : ranges) {
+    for (std::int64_t k = range.begin; k < range.end; ++k) {
+      order[static_cast<std::size_t>(k)] = state.soil_cells.order()[next++];
+    }
+  }
+  state.particles.permute(state.threads, order);
+}
+
+void rebuild(State& state) {
+  const double reach = (2.0 + state.scene.numerics.skin) * state.smoothing_length;
+  const double cell = 0.5 * reach;
+  std::vector<SlotRange> ranges;
+  for (const ParticleGroup& group : state.particles.groups())
+    ranges.push_back({group.first, group.end()});
+  state.soil_cells.build(state.threads, points_of(state.particles), ranges, cell);
+  if (state.rebuilds % rebuilds_per_sort == 0) {
+    sort_particles(state, ranges);
+    state.soil_cells.build(state.threads, points_of(state.particles), ranges, cell);
+  }
+  ++state.rebuilds;
+
+  const int dimension = state.scene.dimension;
+  // Dummies beside a plane need the images their own stress is taken from: twice the reach of the
+  // soil.
+  const double image_reach = state.walls.count() > 0 ? 2.0 * reach : reach;
+  state.images.select(state.scene, state.wall_stands, state.wall_offset, points_of(state.particles),
+                      ranges, image_reach);
+  state.records.resize_images(state.images.count());
+  NeighbourLists::Input input;
+  input.points = points_of(state.particles);
+  input.ranges = ranges;
+  input.slots = state.particles.slots();
+  input.soil = {&state.soil_cells, input.points, 0};
+  if (state.images.count() > 0) {
+    const SlotRange images{0, state.images.count()};
+    state.image_cells.build(state.threads, state.images.points(), {&images, 1}, cell);
+    input.images = {&state.image_cells, state.images.points(), state.records.first_image()};
+  }
+  input.far_record = state.records.far_record();
+  input.reach = reach;
+  input.dimension = dimension;
+  if (state.walls.count() > 0) {
+    const SlotRange dummies = state.walls.range();
+    state.wall_cells.build(state.threads, state.walls.points(), {&dummies, 1}, cell);
+    input.walls = {&state.wall_cells, state.walls.points(), state.records.first_wall()};
+    NeighbourLists::Input of_walls = input;
+    of_walls.points = state.walls.points();
+    of_walls.ranges = {&dummies, 1};
+    of_walls.slots = state.walls.slots();
+    of_walls.walls = {};
+    state.wall_lists.build(state.threads, *state.kernels.table, of_walls);
+  }
+  state.lists.build(state.threads, *state.kernels.table, input);
+  for (int a = 0; a < dimension; ++a) {
+    const double* from = state.particles.component(Field::position, a);
+    std::copy(from, from + state.particles.slots(),
+              state.particles.component(Field::build_position, a));
+  }
+  state.walls_moved = 0.0;
+  state.lists_valid = true;
+}
+
+}  // namespace
+
+void refresh_neighbours(State& state) {
+  const auto pack = [&state] {
+    return state.records.pack_soil(state.threads, state.particles, state.scaling);
+  };
+  const double moved = state.lists_valid ? std::sqrt(pack()) : 0.0;
+  const double walls_moved = state.walls_moved;
+  // Two particles, or a particle and a wall, may close the skin from both sides.
+  const double skin = state.scene.numerics.skin * state.smoothing_length;
+  if (!state.lists_valid || moved + std::max(moved, walls_moved) > skin) {
+    rebuild(state);
+    pack();
+  }
+  state.images.pack(state.records, state.scaling.inverse_smoothing_length, state.wall_offset,
+                    state.wall_velocity);
+}
+
+}  // namespace scarp

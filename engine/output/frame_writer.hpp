@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Frames for ParaView, PyVista and the report: one VTKHDF file of all soil particles per moment.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/simulation.hpp"
+
+namespace scarp {
+
+/// Writes all soil particles as one static VTKHDF (1,0) UnstructuredGrid with a single poly-vertex
+/// cell: what every reader since VTK 9.1 opens. Point data: the fields of `Simulation::fields()` in
+/// 4-byte floats, "id" and "material" as integers, each with its unit as an attribute, SI. Field
+/// data and root attributes: time, step, stage, `event` (why the frame was written), dimension,
+/// spacing. Errors: FileError; no partial file is left.
+void write_soil_frame(const std::filesystem::path& path, const Simulation& simulation,
+                      std::string_view event);
+
+/// The same form for the walls' dummy particles; positions only. Errors: FileError.
+void write_wall_frame(const std::filesystem::path& path, const Simulation& simulation);
+
+/// Numbers the frames of a run in one folder: soil_00000.hdf, ... and soil.hdf.series with their
+/// times, replaced after each frame; walls.hdf once, or walls_00000.hdf, ... if a wall moves or is
+/// removed.
+class FrameWriter {
+ public:
+  /// Makes the folder and removes frames an earlier run left there. Errors: FileError.
+  FrameWriter(const Simulation& simulation, std::filesystem::path folder);
+
+  /// Errors: FileError; the frames before stay valid.
+  void write(const Simulation& simulation, std::string_view event);
+
+  std::size_t count() const { return times_.size(); }
+
+ private:
+  void write_series(std::string_view name) const;
+
+  std::filesystem::path folder_;
+  std::vector<double> times_;
+  bool walls_change_ = false;
+};
+
+}  // namespace scarp

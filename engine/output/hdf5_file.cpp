@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Checked calls of the HDF5 C library.
+
+#include "engine/output/hdf5_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <type_traits>
+
+#include "engine/errors.hpp"
+#include "engine/output/text_file.hpp"
+
+namespace scarp::hdf5 {
+namespace {
+
+/// HDF5's own words for the last failure: the innermost entry of its error stack.
+std::string last_reason() {
+  std::string reason;
+  H5Ewalk2(
+      H5E_DEFAULT, H5E_WALK_UPWARD,
+      [](unsigned n, const H5E_error2_t* entry, void* text) -> herr_t {
+        if (n == 0 && entry->desc) *static_cast<std::string*>(text) = entry->desc;
+        return 0;
+      },
+      &reason);
+  return reason.empty() ? "no reason given" : reason;
+}
+
+template <class T>
+std::pair<hid_t, hid_t> memory_and_file_type() {
+  if constexpr (std::is_same_v<T, float>) return {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE};
+  if constexpr (std::is_same_v<T, double>) return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
+  if constexpr (std::is_same_v<T, std::int32_t>) return {H5T_NATIVE_INT32, H5T_STD_I32LE};
+  if constexpr (std::is_same_v<T, std::int64_t>) return {H5T_NATIVE_INT64, H5T_STD_I64LE};
+  if constexpr (std::is_same_v<T, std::uint8_t>) return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
+}
+
+}  // namespace
+
+QuietErrors::QuietErrors() {
+  H5Eget_auto2(H5E_DEFAULT, &print_, &client_data_);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, print_, client_data_); }
+
+NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), file_(create_in_memory()) {}
+
+Handle NewFile::create_in_memory() const {
+  Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "its access list");
+  constexpr std::size_t growth = 1 << 20;
+  check(H5Pset_fapl_core(access.get(), growth, false), "its access list");
+  return checked(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
+                 "creating it");
+}
+
+void NewFile::group(const std::string& name) {
+  Handle group =
+      checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+              H5Gclose, "creating a group");
+  check(group.close(), "closing a group");
+}
+
+template <class T>
+void NewFile::dataset(const std::string& name, const std::vector<T>& values, const Shape& shape) {
+  const auto [memory_type, file_type] = memory_and_file_type<T>();
+  Handle space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                         H5Sclose, name);
+  Handle set = checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT,
+                                  H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose, name);
+  if (!values.empty()) {
+    check(H5Dwrite(set.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  }
+  check(set.close(), name);  // a full disk may show only here
+  check(space.close(), name);
+}
+
+template void NewFile::dataset(const std::string&, const std::vector<float>&, const Shape&);
+template void NewFile::dataset(const std::string&, const std::vector<double>&, const Shape&);
+template void NewFile::dataset(const std::string&, const std::vector<std::int32_t>&, const Shape&);
+template void NewFile::dataset(const std::string&, const std::vector<std::int64_t>&, const Shape&);
+template void NewFile::dataset(const std::string&, const std::vector<std::uint8_t>&, const Shape&);
+
+void NewFile::attribute(const std::string& object, const char* name, hid_t type,
+                        const Handle& space, const void* data) {
+  Handle made = checked(H5Acreate_by_name(file_.get(), object.c_str(), name, type, space.get(),
+                                          H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                        H5Aclose, name);
+  check(H5Awrite(made.get(), type, data), name);
+  check(made.close(), name);
+}
+
+void NewFile::attribute(const std::string& object, const char* name, std::string_view text) {
+  Handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose, name);
+  check(H5Tset_size(type.get(), std::max<std::size_t>(text.size(), 1)), name);
+  check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), name);
+  const bool ascii = std::all_of(text.begin(), text.end(),
+                                 [](char c) { return static_cast<unsigned char>(c) < 128; });
+  check(H5Tset_cset(type.get(), ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), name);
+  const std::string data(text.empty() ? std::string_view("\0", 1) : text);
+  attribute(object, name, type.get(), checked(H5Screate(H5S_SCALAR), H5Sclose, name), data.data());
+}
+
+void NewFile::attribute(const std::string& object, const char* name, double value) {
+  attribute(object, name, H5T_NATIVE_DOUBLE, checked(H5Screate(H5S_SCALAR), H5Sclose, name),
+            &value);
+}
+
+void NewFile::attribute(const std::string& object, const char* name,
+                        const std::vector<std::int64_t>& values) {
+  const hsize_t count = values.size();
+  attribute(object, name, H5T_NATIVE_INT64,
+            checked(H5Screate_simple(1, &count, nullptr), H5Sclose, name), values.data());
+}
+
+void NewFile::commit() {
+  check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing it");
+  const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
+  check(size < 0 ? -1 : 0, "measuring it");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  check(H5Fget_file_image(file_.get(), image.data(), image.size()) < 0 ? -1 : 0, "copying it");
+  check(file_.close(), "closing it");
+  replace_file(path_, image);
+}
+
+Handle NewFile::checked(hid_t id, Handle::Close close, std::string_view what) const {
+  if (id < 0) fail(what);
+  return {id, close};
+}
+
+void NewFile::check(herr_t status, std::string_view what) const {
+  if (status < 0) fail(what);
+}
+
+void NewFile::fail(std::string_view what) const {
+  throw FileError(fmt::format(
+      "'{}': cannot be written; {} failed (HDF5: {}). Check that the folder exists and may be "
+      "written, and that the disk is not full.",
+      path_.string(), what, last_reason()));
+}
+
+}  // namespace scarp::hdf5

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A new HDF5 file, written beside its final name and renamed once complete. Private to
+/// `engine/output`.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace scarp::hdf5 {
+
+/// Owns one HDF5 identifier; `close()` reports what the destructor could not.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close close_function) : id_(id), close_(close_function) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  hid_t get() const { return id_; }
+  herr_t close() { return id_ >= 0 ? close_(std::exchange(id_, -1)) : 0; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// Keeps HDF5 from printing; errors are thrown instead.
+class QuietErrors {
+ public:
+  QuietErrors();
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+  ~QuietErrors();
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* client_data_ = nullptr;
+};
+
+/// Built in memory; PATH appears, complete, with `commit()`. Without it nothing stays behind. In
+/// memory, because HDF5 keeps a file it could not write open, and crashes on it when the program
+/// ends. Errors: every member throws FileError, naming the file and HDF5's reason.
+class NewFile {
+ public:
+  using Shape = std::vector<hsize_t>;
+
+  explicit NewFile(std::filesystem::path path);
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  void group(const std::string& name);
+  /// T: float, double, std::int32_t, std::int64_t, std::uint8_t; `values` fill `shape` row by row.
+  template <class T>
+  void dataset(const std::string& name, const std::vector<T>& values, const Shape& shape);
+  template <class T>
+  void dataset(const std::string& name, const std::vector<T>& values) {
+    dataset(name, values, {values.size()});
+  }
+  void attribute(const std::string& object, const char* name, std::string_view text);
+  void attribute(const std::string& object, const char* name, double value);
+  void attribute(const std::string& object, const char* name,
+                 const std::vector<std::int64_t>& values);
+  void commit();
+
+ private:
+  void attribute(const std::string& object, const char* name, hid_t type, const Handle& space,
+                 const void* data);
+  Handle create_in_memory() const;
+  Handle checked(hid_t id, Handle::Close close, std::string_view what) const;
+  void check(herr_t status, std::string_view what) const;
+  [[noreturn]] void fail(std::string_view what) const;
+
+  QuietErrors quiet_;
+  std::filesystem::path path_;
+  Handle file_;
+};
+
+}  // namespace scarp::hdf5

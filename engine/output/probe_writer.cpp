@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Columns of the history tables.
+
+#include "engine/output/probe_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scarp {
+namespace {
+
+constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+constexpr std::array<const char*, 6> stress_components{"xx", "yy", "zz", "xy", "yz", "zx"};
+
+using Titles = std::vector<std::string>;
+
+Titles moment_titles() { return {"time [s]", "stage"}; }
+
+/// In plane strain the stress has four components that can differ from zero.
+std::size_t stress_count(int dimension) { return dimension == 2 ? 4 : 6; }
+
+Titles probe_titles(const Scene& scene) {
+  const auto dimension = static_cast<std::size_t>(scene.dimension);
+  Titles titles = moment_titles();
+  for (const Probe& probe : scene.probes) {
+    for (const auto& [quantity, unit] :
+         {std::pair{"position", "m"}, {"displacement", "m"}, {"velocity", "m/s"}}) {
+      for (std::size_t a = 0; a < dimension; ++a) {
+        titles.push_back(fmt::format("{}.{}_{} [{}]", probe.name, quantity, axes[a], unit));
+      }
+    }
+    for (std::size_t c = 0; c < stress_count(scene.dimension); ++c) {
+      titles.push_back(fmt::format("{}.stress_{} [Pa]", probe.name, stress_components[c]));
+    }
+    titles.push_back(fmt::format("{}.density [kg/m3]", probe.name));
+    titles.push_back(fmt::format("{}.accumulated_plastic_strain [-]", probe.name));
+  }
+  return titles;
+}
+
+Titles wall_titles(const Scene& scene) {
+  Titles titles = moment_titles();
+  for (const Wall& wall : scene.walls) {
+    for (std::size_t a = 0; a < static_cast<std::size_t>(scene.dimension); ++a) {
+      titles.push_back(
+          fmt::format("{}.force_{} [{}]", wall.name, axes[a], scene.dimension == 2 ? "N/m" : "N"));
+    }
+  }
+  return titles;
+}
+
+struct EnergyColumn {
+  const char* name;
+  double EnergyBalance::*value;
+};
+constexpr std::array<EnergyColumn, 11> energy_columns{{
+    {"kinetic", &EnergyBalance::kinetic},
+    {"potential", &EnergyBalance::potential},
+    {"elastic", &EnergyBalance::elastic},
+    {"plastic", &EnergyBalance::plastic},
+    {"viscous", &EnergyBalance::viscous},
+    {"damping", &EnergyBalance::damping},
+    {"wall", &EnergyBalance::wall},
+    {"artificial_stress", &EnergyBalance::artificial_stress},
+    {"gradient_residue", &EnergyBalance::gradient_residue},
+    {"diffusion", &EnergyBalance::diffusion},
+    {"imbalance", &EnergyBalance::imbalance},
+}};
+
+Titles energy_titles(const Scene& scene) {
+  Titles titles = moment_titles();
+  for (const EnergyColumn& column : energy_columns) {
+    titles.push_back(fmt::format("{} [{}]", column.name, scene.dimension == 2 ? "J/m" : "J"));
+  }
+  return titles;
+}
+
+const char* limit_name(StepLimit limit) {
+  switch (limit) {
+    case StepLimit::courant:
+      return "courant";
+    case StepLimit::force:
+      return "force";
+    case StepLimit::growth:
+      return "growth";
+    case StepLimit::stage_end:
+      return "stage_end";
+    case StepLimit::near_yield:
+      return "near_yield";
+  }
+  return "";
+}
+
+}  // namespace
+
+ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder)
+    : history_(folder / "history.csv",
+               {"time [s]", "stage", "step", "time_step [s]", "limit", "max_velocity [m/s]"}) {
+  const Scene& scene = simulation.scene();
+  if (!scene.probes.empty()) probes_.emplace(folder / "probes.csv", probe_titles(scene));
+  if (!scene.walls.empty()) walls_.emplace(folder / "walls.csv", wall_titles(scene));
+  if (scene.output.energy) energy_.emplace(folder / "energy.csv", energy_titles(scene));
+}
+
+void ProbeWriter::write(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const StepReport& report = simulation.last_step();
+  const auto dimension = static_cast<std::size_t>(scene.dimension);
+  const std::string stage = simulation.stage_index() < scene.stages.size()
+                                ? scene.stages[simulation.stage_index()].name
+                                : std::string("-");
+  history_ << report.time << stage << static_cast<double>(report.step) << report.time_step
+           << limit_name(report.limit) << report.max_velocity;
+  history_.end_row();
+  if (probes_) {
+    *probes_ << report.time << stage;
+    for (std::size_t p = 0; p < scene.probes.size(); ++p) {
+      const ProbeSample sample = simulation.probe(p);
+      for (const Vec3* vector : {&sample.position, &sample.displacement, &sample.velocity}) {
+        for (std::size_t a = 0; a < dimension; ++a) *probes_ << (*vector)[a];
+      }
+      for (std::size_t c = 0; c < stress_count(scene.dimension); ++c) *probes_ << sample.stress[c];
+      *probes_ << sample.density << sample.accumulated_plastic_strain;
+    }
+    probes_->end_row();
+  }
+  if (walls_ && report.step > 0) {  // the first step is the first to sum forces
+    const std::vector<WallReaction> reactions = simulation.wall_reactions();
+    *walls_ << report.time << stage;
+    for (const Wall& wall : scene.walls) {
+      Vec3 force{};  // a removed wall carries nothing
+      for (const WallReaction& reaction : reactions) {
+        if (reaction.wall == wall.name) force = reaction.force;
+      }
+      for (std::size_t a = 0; a < dimension; ++a) *walls_ << force[a];
+    }
+    walls_->end_row();
+  }
+  if (energy_) {
+    const EnergyBalance balance = simulation.energy();
+    *energy_ << report.time << stage;
+    for (const EnergyColumn& column : energy_columns) *energy_ << balance.*column.value;
+    energy_->end_row();
+  }
+}
+
+}  // namespace scarp

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The JSON form of a run's results.
+
+#include "engine/output/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "engine/output/text_file.hpp"
+
+#ifndef SCARP_VERSION
+#define SCARP_VERSION "unknown"
+#endif
+
+namespace scarp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int format_version = 1;
+
+/// The processor's name as Linux gives it; elsewhere it stays unknown.
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+Json json_of(const Measure& measure) {
+  Json json{{"name", measure.name}, {"value", measure.value}, {"unit", measure.unit}};
+  json["reference"] = measure.reference ? Json(*measure.reference) : Json();
+  json["band"] = measure.band ? Json(*measure.band) : Json();
+  json["source"] = measure.source;
+  json["pass"] = measure.pass ? Json(*measure.pass) : Json();
+  return json;
+}
+
+Json json_of(const Numerics& n) {
+  constexpr std::array smoothing{"yang_liu", "cubic_spline", "wendland_c2"};
+  constexpr std::array rotation{"jaumann", "hughes_winget"};
+  constexpr std::array plasticity{"return_mapping", "rate", "rate_corrected"};
+  constexpr std::array integrator{"verlet", "kick_drift_kick"};
+  return {{"smoothing", smoothing[static_cast<std::size_t>(n.smoothing)]},
+          {"smoothing_ratio", n.smoothing_ratio},
+          {"lattice_normalisation", n.lattice_normalisation},
+          {"gradient_correction", n.gradient_correction},
+          {"stress_rotation", rotation[static_cast<std::size_t>(n.stress_rotation)]},
+          {"plasticity", plasticity[static_cast<std::size_t>(n.plasticity)]},
+          {"viscosity_alpha", n.viscosity_alpha},
+          {"viscosity_beta", n.viscosity_beta},
+          {"artificial_stress", n.artificial_stress},
+          {"stress_diffusion", n.stress_diffusion},
+          {"integrator", integrator[static_cast<std::size_t>(n.integrator)]},
+          {"verlet_restart_interval", n.verlet_restart_interval},
+          {"cfl", n.cfl}};
+}
+
+double norm(const double* v) { return std::hypot(v[0], v[1], v[2]); }
+
+Json verdict(const RunResults& results) {
+  if (!results.failure.empty()) return false;
+  Json pass;  // null: nothing was judged
+  for (const Measure& measure : results.measures) {
+    if (measure.pass) pass = *measure.pass && pass != Json(false);
+  }
+  return pass;
+}
+
+}  // namespace
+
+std::vector<Measure> basic_measures(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  const bool plane = scene.dimension == 2;
+  std::vector<Measure> measures;
+  const auto report = [&measures](std::string name, double value, std::string unit) {
+    measures.push_back({std::move(name), value, std::move(unit), {}, {}, {}, {}});
+  };
+  const auto fields = simulation.fields();
+  if (std::any_of(fields.begin(), fields.end(),
+                  [](const FieldInfo& field) { return field.name == "displacement"; })) {
+    const std::vector<double> displacement = simulation.field("displacement");
+    double largest = 0.0;
+    for (std::size_t i = 0; i + 2 < displacement.size(); i += 3) {
+      largest = std::fmax(largest, norm(&displacement[i]));
+    }
+    report("largest displacement", largest, "m");
+  }
+  report("residual velocity", simulation.last_step().max_velocity, "m/s");
+  double mass = 0.0;
+  for (const double material : simulation.field("material")) {
+    mass += scene.materials[static_cast<std::size_t>(material)].density;
+  }
+  mass *= std::pow(scene.spacing, scene.dimension);
+  report("mass", mass, plane ? "kg/m" : "kg");
+  const EnergyBalance energy = simulation.energy();
+  const char* joule = plane ? "J/m" : "J";
+  report("kinetic energy", energy.kinetic, joule);
+  report("potential energy change in the stage", energy.potential, joule);
+  report("elastic energy change in the stage", energy.elastic, joule);
+  if (scene.output.energy) report("energy imbalance", energy.imbalance, joule);
+  report("actions of the density bounds", static_cast<double>(simulation.density_bound_count()),
+         "");
+  return measures;
+}
+
+void write_results(const std::filesystem::path& path, const Simulation& simulation,
+                   const RunResults& results) {
+  const Scene& scene = simulation.scene();
+  const StepReport& last = simulation.last_step();
+  const double particle_steps =
+      static_cast<double>(simulation.soil_count()) * static_cast<double>(last.step);
+  Json json{{"format", "scarp results"},
+            {"version", format_version},
+            {"case", results.case_name},
+            {"title", scene.title},
+            {"pass", verdict(results)},
+            {"complete", results.failure.empty()},
+            {"failure", results.failure.empty() ? Json() : Json(results.failure)},
+            {"preset", scene.numerics.preset},
+            {"precision", "double"},
+            {"isa", simulation.isa()},
+            {"threads", simulation.threads()},
+            {"dimension", scene.dimension},
+            {"spacing", scene.spacing},
+            {"smoothing_length", simulation.smoothing_length()},
+            {"particles", simulation.soil_count()},
+            {"wall_particles", simulation.wall_count()},
+            {"steps", last.step},
+            {"simulated_s", last.time},
+            {"wall_s", results.wall_seconds},
+            {"particle_steps_per_s",
+             results.wall_seconds > 0.0 ? Json(particle_steps / results.wall_seconds) : Json()},
+            {"memory_bytes", simulation.memory_bytes()},
+            {"measures", Json::array()},
+            {"stages", Json::array()},
+            {"numerics", json_of(scene.numerics)},
+            {"machine",
+             {{"processor", processor_name()},
+              {"hardware_threads", std::thread::hardware_concurrency()}}},
+            {"versions", {{"scarp", SCARP_VERSION}, {"compiler", __VERSION__}}}};
+  for (const Measure& measure : results.measures) json["measures"].push_back(json_of(measure));
+  for (const StageResult& stage : results.stages) {
+    json["stages"].push_back({{"name", stage.name},
+                              {"end_time_s", stage.end_time},
+                              {"end_step", stage.end_step},
+                              {"reached_rest", stage.reached_rest}});
+  }
+  replace_file(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace scarp

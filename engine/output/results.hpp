@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// results.json: what a run was, what it cost, and what was measured.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.hpp"
+
+namespace scarp {
+
+/// One number of a run, with what it is held against if anything is.
+struct Measure {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::optional<double> reference;
+  std::optional<std::array<double, 2>> band;  ///< accepted values, lowest and highest
+  std::string source;                         ///< of the reference
+  std::optional<bool> pass;                   ///< empty: reported only
+};
+
+struct StageResult {
+  std::string name;
+  double end_time = 0.0;  ///< [s]
+  std::uint64_t end_step = 0;
+  bool reached_rest = false;
+};
+
+/// Basic facts of the present state, none of them judged: largest displacement, residual velocity,
+/// mass, energies.
+std::vector<Measure> basic_measures(const Simulation& simulation);
+
+struct RunResults {
+  std::string case_name;
+  double wall_seconds = 0.0;
+  std::vector<StageResult> stages;
+  std::vector<Measure> measures;
+  std::string failure;  ///< why the run did not reach its end; empty if it did
+};
+
+/// Writes results.json, version 1 (format documented in `engine/output/FORMATS.md`). "pass" is
+/// false if a measure failed or the run did not reach its end, else true, or null if nothing was
+/// judged. Errors: FileError.
+void write_results(const std::filesystem::path& path, const Simulation& simulation,
+                   const RunResults& results);
+
+}  // namespace scarp

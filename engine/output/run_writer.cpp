@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// When outputs fall due, and the loop of a run.
+
+#include "engine/output/run_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+#include "engine/errors.hpp"
+
+namespace scarp {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+std::filesystem::path made(std::filesystem::path folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
+                                folder.string(), error.message()));
+  }
+  return folder;
+}
+
+/// `Scene::file` may be a mere name: scenes are also read from text.
+void copy_scene(const std::string& from, const std::filesystem::path& to) {
+  std::error_code error;
+  if (!std::filesystem::exists(from, error) || std::filesystem::equivalent(from, to, error)) return;
+  std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
+  if (error) {
+    throw FileError(fmt::format("'{}': the scene cannot be copied to '{}': {}.", from, to.string(),
+                                error.message()));
+  }
+}
+
+/// The first multiple of `interval` after `time`.
+double next_multiple(double time, double interval) {
+  return interval == never ? never : (std::floor(time / interval * (1.0 + 1e-12)) + 1.0) * interval;
+}
+
+std::string case_name(const Scene& scene, const std::filesystem::path& folder) {
+  const std::filesystem::path named =
+      scene.file.empty() ? folder : std::filesystem::path(scene.file);
+  return named.stem().string();
+}
+
+}  // namespace
+
+RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder)
+    : folder_(made(std::move(folder))), histories_(simulation, folder_) {
+  copy_scene(simulation.scene().file, folder_ / "scene.toml");
+  std::error_code ignored;  // results of an earlier run would pass for this one's
+  std::filesystem::remove(folder_ / "results.json", ignored);
+  if (simulation.scene().output.frames) frames_.emplace(simulation, folder_ / "frames");
+  enter_stage(simulation);
+  write_frame(simulation, "start");
+  write_row(simulation);
+}
+
+void RunWriter::enter_stage(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  stage_ = simulation.stage_index();
+  frame_interval_ = scene.output.frame_interval > 0.0 ? scene.output.frame_interval : never;
+  row_interval_ = scene.output.probe_interval;
+  if (!(row_interval_ > 0.0)) {
+    const double duration = stage_ < scene.stages.size() ? scene.stages[stage_].duration : 0.0;
+    row_interval_ = duration > 0.0 && std::isfinite(duration) ? duration / 100.0 : never;
+  }
+  const double time = simulation.last_step().stage_time;
+  next_frame_ = next_multiple(time, frame_interval_);
+  next_row_ = next_multiple(time, row_interval_);
+}
+
+void RunWriter::after_step(const Simulation& simulation) {
+  const double time = simulation.last_step().stage_time;
+  const bool entered = simulation.stage_index() != stage_;
+  if (entered) enter_stage(simulation);
+  const bool ended = simulation.stage_ended();
+  if (entered || ended || time >= next_frame_) {
+    write_frame(simulation, ended ? "stage_end" : entered ? "stage_start" : "interval");
+    next_frame_ = next_multiple(time, frame_interval_);
+  }
+  if (entered || ended || time >= next_row_) {
+    write_row(simulation);
+    next_row_ = next_multiple(time, row_interval_);
+  }
+  if (ended && stage_ < simulation.scene().stages.size()) {
+    stages_.push_back({simulation.scene().stages[stage_].name, simulation.last_step().time,
+                       simulation.last_step().step, simulation.stage_reached_rest()});
+  }
+}
+
+void RunWriter::finish(const Simulation& simulation, double wall_seconds,
+                       const std::string& failure) {
+  write_frame(simulation, failure.empty() ? "last" : "stopped");
+  write_row(simulation);
+  write_results(folder_ / "results.json", simulation,
+                {case_name(simulation.scene(), folder_), wall_seconds, stages_,
+                 measures_ ? *measures_ : basic_measures(simulation), failure});
+}
+
+void RunWriter::write_frame(const Simulation& simulation, std::string_view event) {
+  const std::uint64_t step = simulation.last_step().step;
+  if (!frames_ || frame_step_ == step) return;
+  frames_->write(simulation, event);
+  frame_step_ = step;
+}
+
+void RunWriter::write_row(const Simulation& simulation) {
+  const std::uint64_t step = simulation.last_step().step;
+  if (row_step_ == step) return;
+  histories_.write(simulation);
+  row_step_ = step;
+}
+
+double run(Simulation& simulation, RunWriter* writer,
+           const std::function<bool(const Simulation&)>& proceed) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  std::string stopped;
+  try {
+    while (stopped.empty() && !simulation.finished()) {
+      simulation.step();
+      if (writer) writer->after_step(simulation);
+      if (proceed && !proceed(simulation)) stopped = "stopped on request";
+    }
+  } catch (const SimulationInstability& instability) {
+    try {
+      if (writer) writer->finish(simulation, seconds(), instability.what());
+    } catch (const FileError& error) {
+      throw SimulationInstability(fmt::format("{}\nThe last state could not be written: {}",
+                                              instability.what(), error.what()));
+    }
+    throw;
+  }
+  const double wall_seconds = seconds();
+  if (writer) writer->finish(simulation, wall_seconds, stopped);
+  return wall_seconds;
+}
+
+}  // namespace scarp

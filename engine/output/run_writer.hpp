@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// All outputs of one run in one folder, and the loop that drives a run.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/output/frame_writer.hpp"
+#include "engine/output/probe_writer.hpp"
+#include "engine/output/results.hpp"
+#include "engine/simulation.hpp"
+
+namespace scarp {
+
+/// Writes into a folder: frames/ (see FrameWriter), the tables of ProbeWriter, scene.toml (a copy
+/// of the scene as read, before any override), results.json. Frames and table rows fall on the
+/// first step at or after each multiple of the scene's intervals in stage time, and on the first
+/// and last step of a stage.
+class RunWriter {
+ public:
+  /// Writes the initial state. Errors: FileError.
+  RunWriter(const Simulation& simulation, std::filesystem::path folder);
+
+  /// Call after each step. Errors: FileError.
+  void after_step(const Simulation& simulation);
+
+  /// Writes the last state, unless that has been done, and results.json; `failure` says why the run
+  /// did not reach its end. Errors: FileError.
+  void finish(const Simulation& simulation, double wall_seconds, const std::string& failure = {});
+
+  /// Replaces the basic measures that `finish` writes (a validation case has its own).
+  void set_measures(std::vector<Measure> measures) { measures_ = std::move(measures); }
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::size_t frame_count() const { return frames_ ? frames_->count() : 0; }
+
+ private:
+  void enter_stage(const Simulation& simulation);
+  void write_frame(const Simulation& simulation, std::string_view event);
+  void write_row(const Simulation& simulation);
+
+  std::filesystem::path folder_;
+  std::optional<FrameWriter> frames_;
+  ProbeWriter histories_;
+  std::vector<StageResult> stages_;
+  std::optional<std::vector<Measure>> measures_;
+  std::size_t stage_ = 0;
+  double frame_interval_ = 0.0, row_interval_ = 0.0;  ///< [s]; infinite: none between start and end
+  double next_frame_ = 0.0, next_row_ = 0.0;          ///< in stage time [s]
+  std::optional<std::uint64_t> frame_step_, row_step_;
+};
+
+/// Steps until the last stage has ended; returns the wall time [s]. `writer` may be null. `proceed`
+/// is called after each step; false ends the run early, with its outputs finished and marked
+/// incomplete. Errors: those of `Simulation::step()` and of the writer; after SimulationInstability
+/// the outputs have been finished and hold the last state.
+double run(Simulation& simulation, RunWriter* writer,
+           const std::function<bool(const Simulation&)>& proceed = {});
+
+}  // namespace scarp

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Lattice fill of the bodies, column by column, and the depth below the surface.
+#include "engine/particles/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "engine/errors.hpp"
+#include "engine/particles/particle_limit.hpp"
+#include "engine/particles/shapes.hpp"
+
+namespace scarp {
+namespace {
+
+/// Lattice sites first .. last of one axis; empty if last < first.
+struct Sites {
+  std::int64_t first = 0;
+  std::int64_t last = -1;
+  std::int64_t count() const { return std::max<std::int64_t>(last - first + 1, 0); }
+};
+
+/// Site i of an axis stands for the cell from origin + i dx to origin + (i + 1) dx.
+struct Lattice {
+  Vec3 origin{};
+  double spacing = 1.0;
+
+  double at(std::size_t axis, std::int64_t site) const {
+    return origin[axis] + (static_cast<double>(site) + 0.5) * spacing;
+  }
+  Sites inside(std::size_t axis, double low, double high, double tolerance) const {
+    const double first = std::ceil((low - tolerance - origin[axis]) / spacing - 0.5);
+    const double last = std::floor((high + tolerance - origin[axis]) / spacing - 0.5);
+    constexpr double most = 4e18;  // an index beyond this does not fit and is refused by its count
+    return {static_cast<std::int64_t>(std::clamp(first, -most, most)),
+            static_cast<std::int64_t>(std::clamp(last, -most, most))};
+  }
+};
+
+class LatticeFill {
+ public:
+  explicit LatticeFill(const Scene& scene)
+      : scene_(scene), up_(scene.dimension == 2 ? 1 : 2), limit_(most_particles()) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) shapes_.push_back(column_shape(scene, b));
+    if (!shapes_.empty()) lattice_ = {shapes_[0].minimum, scene.spacing};
+  }
+
+  SoilPoints fill() {
+    double total = 0.0;
+    for (std::size_t b = 0; b < shapes_.size(); ++b) total += count(b, total);
+    SoilPoints soil;
+    const auto size = static_cast<std::size_t>(total);
+    soil.position.reserve(size);
+    soil.material.reserve(size);
+    soil.velocity.reserve(size);
+    for (std::size_t b = 0; b < shapes_.size(); ++b) add(b, soil);
+    return soil;
+  }
+
+ private:
+  Sites plan_sites(const ColumnShape& shape, std::size_t axis) const {
+    if (axis == up_) return {0, 0};  // 2D: one row of columns
+    return lattice_.inside(axis, shape.minimum[axis], shape.maximum[axis], shape.tolerance);
+  }
+
+  template <class Visit>
+  void for_each_column(const ColumnShape& shape, const Visit& visit) const {
+    const Sites xs = plan_sites(shape, 0), ys = plan_sites(shape, 1);
+    for (std::int64_t i = xs.first; i <= xs.last; ++i) {
+      for (std::int64_t j = ys.first; j <= ys.last; ++j) {
+        if (!visit(lattice_.at(0, i), up_ == 1 ? 0.0 : lattice_.at(1, j))) return;
+      }
+    }
+  }
+
+  /// Vertical sites of a shape at (x, y), ascending and disjoint.
+  void column_sites(const ColumnShape& shape, double x, double y, std::vector<Sites>& out) {
+    ranges_.clear();
+    out.clear();
+    shape.column(x, y, ranges_);
+    for (const Range& range : ranges_) {
+      const Sites sites = lattice_.inside(up_, range.low, range.high, shape.tolerance);
+      if (sites.count() > 0) out.push_back(sites);
+    }
+    std::sort(out.begin(), out.end(),
+              [](const Sites& a, const Sites& b) { return a.first < b.first; });
+    std::size_t kept = 0;
+    for (std::size_t k = 1; k < out.size(); ++k) {
+      if (out[k].first <= out[kept].last + 1) {
+        out[kept].last = std::max(out[kept].last, out[k].last);
+      } else {
+        out[++kept] = out[k];
+      }
+    }
+    if (!out.empty()) out.resize(kept + 1);
+  }
+
+  /// Particles of a body, overlaps with others included: all that can be known without storing any.
+  double count(std::size_t body, double before) {
+    const ColumnShape& shape = shapes_[body];
+    const double columns = static_cast<double>(plan_sites(shape, 0).count()) *
+                           static_cast<double>(plan_sites(shape, 1).count());
+    if (columns > limit_) too_many(shape);
+    double total = 0.0;
+    for_each_column(shape, [&](double x, double y) {
+      column_sites(shape, x, y, sites_);
+      for (const Sites& sites : sites_) total += static_cast<double>(sites.count());
+      return before + total <= limit_;
+    });
+    if (before + total > limit_) too_many(shape);
+    if (total > 0.0) return total;
+    throw SceneError(fmt::format(
+        "{}: holds no particle at spacing {} m. Try a larger body or a smaller spacing.",
+        shape.label, scene_.spacing));
+  }
+
+  [[noreturn]] void too_many(const ColumnShape& shape) const {
+    throw SceneError(fmt::format(
+        "{}: with it the scene has more than {:.3g} particles at spacing {} m, the most "
+        "for this machine's {:.3g} GB of memory. Try a larger spacing.",
+        shape.label, limit_, scene_.spacing, 1e-9 * physical_memory()));
+  }
+
+  void add(std::size_t body, SoilPoints& soil) {
+    const ColumnShape& shape = shapes_[body];
+    const std::size_t before = soil.position.size();
+    for_each_column(shape, [&](double x, double y) {
+      column_sites(shape, x, y, sites_);
+      for (std::size_t earlier = 0; earlier < body; ++earlier) {
+        if (covers(shapes_[earlier], x, y)) take_away(earlier, x, y);
+      }
+      for (const Sites& sites : sites_) {
+        for (std::int64_t k = sites.first; k <= sites.last; ++k) {
+          Vec3 position{x, y, 0.0};
+          position[up_] = lattice_.at(up_, k);
+          soil.position.push_back(position);
+          soil.material.push_back(scene_.bodies[body].material);
+          soil.velocity.push_back(scene_.bodies[body].velocity);
+        }
+      }
+      return true;
+    });
+    if (soil.position.size() > before) return;
+    throw SceneError(
+        fmt::format("{}: lies wholly inside bodies before it, to which a shared particle belongs. "
+                    "Try to list it before them, or to leave it out.",
+                    shape.label));
+  }
+
+  bool covers(const ColumnShape& shape, double x, double y) const {
+    const auto inside = [&](std::size_t a, double value) {
+      return value >= shape.minimum[a] - shape.tolerance &&
+             value <= shape.maximum[a] + shape.tolerance;
+    };
+    return inside(0, x) && (up_ == 1 || inside(1, y));
+  }
+
+  /// Removes the sites of an earlier body from `sites_`.
+  void take_away(std::size_t earlier, double x, double y) {
+    column_sites(shapes_[earlier], x, y, taken_);
+    for (const Sites& taken : taken_) {
+      rest_.clear();
+      for (const Sites& sites : sites_) {
+        const Sites below{sites.first, std::min(sites.last, taken.first - 1)};
+        const Sites above{std::max(sites.first, taken.last + 1), sites.last};
+        if (below.count() > 0) rest_.push_back(below);
+        if (above.count() > 0) rest_.push_back(above);
+      }
+      sites_.swap(rest_);
+    }
+  }
+
+  const Scene& scene_;
+  std::size_t up_;
+  double limit_;
+  std::vector<ColumnShape> shapes_;
+  Lattice lattice_;
+  std::vector<Range> ranges_;
+  std::vector<Sites> sites_, taken_, rest_;
+};
+
+using ColumnKey = std::array<std::int64_t, 2>;
+struct ColumnHash {
+  std::size_t operator()(const ColumnKey& key) const {
+    const auto i = static_cast<std::uint64_t>(key[0]), j = static_cast<std::uint64_t>(key[1]);
+    return (i * 0x9E3779B97F4A7C15ULL) ^ (j * 0xC2B2AE3D27D4EB4FULL);
+  }
+};
+
+}  // namespace
+
+SoilPoints generate_soil(const Scene& scene) { return LatticeFill(scene).fill(); }
+
+std::vector<double> depth_below_surface(const Scene& scene, const SoilPoints& soil) {
+  std::vector<double> depth(soil.position.size(), 0.0);
+  std::vector<std::size_t> along, across;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(scene.dimension); ++a) {
+    (scene.gravity[a] != 0.0 ? along : across).push_back(a);
+  }
+  if (along.empty() || soil.position.empty()) return depth;
+  if (along.size() > 1) {
+    throw SceneError(fmt::format(
+        "gravity {}: no depth is defined because it does not point along one axis. Try initial "
+        "stress \"zero\", or gravity along an axis.",
+        point_text(scene.gravity, scene.dimension)));
+  }
+  const std::size_t axis = along[0];
+  const double up = scene.gravity[axis] < 0.0 ? 1.0 : -1.0;
+  const auto key = [&](const Vec3& position) {
+    ColumnKey column{};
+    for (std::size_t k = 0; k < across.size(); ++k) {
+      const double offset = position[across[k]] - soil.position[0][across[k]];
+      column[k] = std::llround(offset / scene.spacing);
+    }
+    return column;
+  };
+  std::unordered_map<ColumnKey, double, ColumnHash> highest;
+  for (const Vec3& position : soil.position) {
+    const double height = up * position[axis];
+    const auto [entry, added] = highest.try_emplace(key(position), height);
+    if (!added) entry->second = std::max(entry->second, height);
+  }
+  for (std::size_t k = 0; k < depth.size(); ++k) {
+    const Vec3& position = soil.position[k];
+    depth[k] = highest.find(key(position))->second - up * position[axis] + 0.5 * scene.spacing;
+  }
+  return depth;
+}
+
+}  // namespace scarp

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Fills the bodies of a scene with soil particles on one regular lattice.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace scarp {
+
+/// Soil particles of a scene before sorting; the index is the permanent id.
+struct SoilPoints {
+  std::vector<Vec3> position;         ///< [m]
+  std::vector<std::size_t> material;  ///< index into Scene::materials
+  std::vector<Vec3> velocity;         ///< [m/s]
+};
+
+/// Lattice points inside the bodies, body by body; each stands for a volume dx^dimension. The
+/// lattice is anchored half a spacing inside the lowest corner of the first body, so that flat
+/// faces at multiples of the spacing are met exactly. A point that lies in several bodies belongs
+/// to the first. Errors: SceneError if a body holds no lattice point or the count exceeds what
+/// memory can hold.
+SoilPoints generate_soil(const Scene& scene);
+
+/// Vertical effective initial stress: for each particle the depth of its centre below the highest
+/// particle (plus half a spacing) of its lattice column, measured along gravity [m]. Errors:
+/// SceneError unless gravity is along one axis.
+std::vector<double> depth_below_surface(const Scene& scene, const SoilPoints& soil);
+
+}  // namespace scarp

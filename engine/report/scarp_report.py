@@ -1,0 +1,275 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws a run: `scarp_report.py DIR` makes DIR/report.html and DIR/figures; with `--page OUT.html DIR...` one
+page over several runs. The functions of scarp_frames, scarp_figures and scarp_page can be imported from here."""
+
+import argparse
+import pathlib
+import platform
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+try:
+    from scarp_figures import *  # noqa: F401,F403
+    from scarp_figures import (colour_limits, draw_history, draw_particles_2d, draw_particles_3d, draw_plan,
+                               label_of, outline, plt, section)
+    from scarp_frames import (frame_info, load_frame, load_walls, read_results, read_series, read_table,
+                              scalar)
+    from scarp_page import Page, Raw, badge, band, number  # noqa: F401
+except ImportError as error:
+    sys.exit(f"scarp report: {error}; install Debian's python3-matplotlib and python3-h5py.")
+
+import h5py  # noqa: E402
+import matplotlib  # noqa: E402
+import numpy as np  # noqa: E402
+
+FACTS = [("case", "case", ""), ("preset", "preset", ""), ("precision", "precision", ""),
+         ("instruction set", "isa", ""), ("threads", "threads", ""), ("particle spacing", "spacing", "m"),
+         ("smoothing length", "smoothing_length", "m"), ("particles", "particles", ""),
+         ("wall particles", "wall_particles", ""), ("steps", "steps", ""),
+         ("simulated time", "simulated_s", "s"), ("run time", "wall_s", "s"),
+         ("speed", "particle_steps_per_s", "particle-steps/s"), ("memory", "memory_bytes", "bytes")]
+
+
+def shown_frames(folder, most=6):
+    """The first frame, the frames at the end of a stage or of the run, and their numbers."""
+    infos = [dict(frame_info(path), number=n) for n, (path, _) in enumerate(read_series(folder))
+             if path.exists()]
+    if not infos:
+        return None, []
+    ends = [info for info in infos if info["event"] in ("stage_end", "last", "stopped")]
+    if infos[-1]["number"] not in [info["number"] for info in ends]:
+        ends.append(infos[-1])
+    return infos[0], ends[-most:]
+
+
+def particle_figures(page, folder, figures):
+    first, ends = shown_frames(folder)
+    if first is None:
+        page.text("The run wrote no frames.")
+        return
+    initial = load_frame(first["path"])
+    last = load_frame(ends[-1]["path"])
+    draw = plane_figures if first["dimension"] == 2 else space_figures
+    draw(page, folder, figures, initial, ends, last)
+
+
+def plane_figures(page, folder, figures, initial, ends, last):
+    lines = outline(initial)
+    for field in ("accumulated_plastic_strain", "displacement"):
+        if field not in last["fields"]:
+            continue
+        for end in ends:
+            frame = load_frame(end["path"])
+            size = np.ptp(np.concatenate([frame["position"]] + [np.pad(l, ((0, 0), (0, 1))) for l in lines]),
+                          axis=0)
+            height = float(np.clip(7.6 * size[1] / max(size[0], 1e-9) + 0.9, 1.8, 9.0))
+            figure, ax = plt.subplots(figsize=(9.0, height))
+            draw_particles_2d(ax, frame, field, None, lines, load_walls(folder, end["number"]))
+            page.figure(figure, f"{label_of(field, '').rsplit(' [', 1)[0].capitalize()} at t = {end['time']:.4g} s"
+                        f" ({words_of(end)}); dashed: outline at the start; grey: wall particles.",
+                        figures / f"{field}_{end['number']:05}.png")
+
+
+def space_figures(page, folder, figures, initial, ends, last):
+    lines = outline(section(initial), axes=(0, 2))
+    for end in ends:
+        frame, name = load_frame(end["path"]), f"{end['number']:05}.png"
+        when = f"at t = {end['time']:.4g} s ({words_of(end)})"
+        figure = plt.figure(figsize=(9.0, 6.4))
+        draw_particles_3d(figure.add_subplot(projection="3d"), frame, title="")
+        page.figure(figure, f"Displacement {when}; particles that can be seen from outside.",
+                    figures / f"view_{name}")
+        figure, ax = plt.subplots(figsize=(9.0, figure_height(frame, 1)))
+        draw_plan(ax, frame)
+        page.figure(figure, f"Elevation of the highest particle {when}.", figures / f"plan_{name}")
+        cut = section(frame)
+        for field in ("accumulated_plastic_strain", "displacement"):
+            if field in cut["fields"]:
+                figure, ax = plt.subplots(figsize=(9.0, figure_height(frame, 2)))
+                draw_particles_2d(ax, cut, field, initial=lines, axes=(0, 2))
+                page.figure(figure, f"Middle section across y {when}, {field.replace('_', ' ')}; dashed: outline "
+                            "at the start.", figures / f"section_{field}_{name}")
+
+
+def figure_height(frame, axis):
+    size = np.ptp(frame["position"], axis=0)
+    return float(np.clip(7.6 * size[axis] / max(size[0], 1e-9) + 0.9, 1.8, 9.0))
+
+
+def words_of(end):
+    return {"stage_end": f"end of stage “{end['stage']}”", "stopped": "where the run stopped"}.get(
+        end["event"], "last frame")
+
+
+def history_figures(page, folder, figures):
+    probes = read_table(folder / "probes.csv")
+    if probes:
+        columns, units = probes
+        names = list(dict.fromkeys(c.rsplit(".", 1)[0] for c in columns if "." in c))
+        figure, axes = plt.subplots(2, 1, figsize=(9.0, 4.6), sharex=True)
+        for ax, quantity in zip(axes, ("displacement", "velocity")):
+            sizes = {"time": columns["time"], "stage": columns["stage"]}
+            for name in names:
+                parts = [columns[c] for c in columns if c.startswith(f"{name}.{quantity}_")]
+                sizes[name] = np.sqrt(sum(part**2 for part in parts))
+            unit = "m" if quantity == "displacement" else "m/s"
+            draw_history(ax, (sizes, {}), names, ylabel=f"|{quantity}| [{unit}]")
+        axes[0].set_xlabel("")
+        page.figure(figure, "Probes; dotted: a stage begins.", figures / "probes.png")
+    walls = read_table(folder / "walls.csv")
+    if walls:
+        names = [c for c in walls[0] if ".force_" in c]
+        figure, ax = plt.subplots(figsize=(9.0, 2.6))
+        draw_history(ax, walls, names, [n.replace(".force_", ", ") for n in names],
+                     f"force on the wall [{walls[1][names[0]]}]")
+        page.figure(figure, "Forces of the soil on the walls.", figures / "walls.png")
+    energy = read_table(folder / "energy.csv")
+    if energy:
+        names = [c for c in energy[0] if c not in ("time", "stage") and np.any(energy[0][c] != 0)]
+        if names:
+            figure, ax = plt.subplots(figsize=(9.0, 3.2))
+            draw_history(ax, energy, names, ylabel=f"energy [{energy[1][names[0]]}]")
+            page.figure(figure, "Energy balance; potential and elastic energy count from the start of each "
+                        "stage; parts that stay zero are not drawn.", figures / "energy.png")
+    history = read_table(folder / "history.csv")
+    if history:
+        figure, axes = plt.subplots(2, 1, figsize=(9.0, 3.8), sharex=True)
+        positive = {n: np.where(v > 0, v, np.nan) if isinstance(v, np.ndarray) and n != "time" else v
+                    for n, v in history[0].items()}
+        draw_history(axes[0], (positive, history[1]), ["max_velocity"], log=True)
+        draw_history(axes[1], (positive, history[1]), ["time_step"])
+        axes[0].set_xlabel("")
+        page.figure(figure, "Fastest particle and time step.", figures / "history.png")
+
+
+def verdict_of(results):
+    """True, False or None (nothing judged) for a run."""
+    if results.get("complete") is False or results.get("failure"):
+        return False
+    verdicts = [m.get("pass") for m in results.get("measures", []) if m.get("pass") is not None]
+    return results["pass"] if results.get("pass") is not None else all(verdicts) if verdicts else None
+
+
+def run_badge(results):
+    if not results:
+        return badge(False, "✗ no results")
+    return badge(verdict_of(results), "✗ incomplete" if results.get("complete") is False else None)
+
+
+def verdict_section(page, results):
+    if results.get("failure"):
+        page.text(f"The run did not reach its end: {results['failure']}", problem=True)
+    if not results:
+        page.text("There is no results.json: the run was killed or is still going on.", problem=True)
+    if results.get("measures"):
+        page.verdicts(results["measures"])
+    for claim in results.get("claims", []):
+        page.text(Raw("<b>%s</b> %s" % tuple(map(_escaped, (claim.get("claim", ""), claim.get("section", ""))))))
+        page.table(["", ""], [[key, str(value)] for key, value in claim.items() if key != "claim"])
+
+
+def _escaped(text):
+    import html
+    return html.escape(str(text))
+
+
+def own_figures(page, folder, results):
+    """Figures the run's driver left: those named in results.json, else every picture in the folder."""
+    named = results.get("figures") or [{"file": path.name, "caption": path.stem.replace("_", " ")}
+                                       for path in sorted(folder.iterdir())
+                                       if path.suffix in (".svg", ".png")]
+    for entry in named:
+        entry = entry if isinstance(entry, dict) else {"file": entry}
+        path = (folder / entry["file"]).resolve()
+        if path.exists() and folder.resolve() in path.parents:
+            page.picture(path, entry.get("caption", path.stem.replace("_", " ")))
+
+
+def facts_section(page, results):
+    rows = [[words, results[key], unit] for words, key, unit in FACTS if results.get(key) is not None]
+    if results.get("stages"):
+        for stage in results["stages"]:
+            how = "at rest" if stage.get("reached_rest") else "its time was up"
+            rows.append([f"stage “{stage['name']}” ended", stage.get("end_time_s"), f"s ({how})"])
+    if rows:
+        page.table(["", "value", "unit"], [[words, number(value), unit] for words, value, unit in rows])
+
+
+def machine_section(page, results):
+    rows = [[key.replace("_", " "), str(value)] for group in ("machine", "versions", "numerics")
+            for key, value in results.get(group, {}).items()]
+    rows += [["report", f"Python {platform.python_version()}, matplotlib {matplotlib.__version__}, "
+              f"h5py {h5py.__version__}"]]
+    page.table(["", ""], rows)
+
+
+def run_parts(page, folder, results, level=2):
+    """Everything about one run except the machine."""
+    figures = folder / "figures"
+    verdict_section(page, results)
+    own_figures(page, folder, results)
+    page.section("Run", level=level)
+    facts_section(page, results)
+    page.section("Particles", level=level)
+    particle_figures(page, folder, figures)
+    page.section("Histories", level=level)
+    history_figures(page, folder, figures)
+
+
+def report(folder, out=None):
+    """Writes the page of one run; returns its path."""
+    folder = pathlib.Path(folder)
+    results = read_results(folder)
+    page = Page(results.get("title") or results.get("case") or folder.name,
+                f"scarp run “{results.get('case', folder.name)}”")
+    page.text(run_badge(results))
+    run_parts(page, folder, results)
+    page.section("Machine, versions, numerics")
+    machine_section(page, results)
+    path = pathlib.Path(out or folder / "report.html")
+    page.save(path)
+    return path
+
+
+def overall_page(out, folders):
+    """One page over several runs: a table of all, then each."""
+    runs = [(pathlib.Path(folder), read_results(folder)) for folder in folders]
+    page = Page("scarp: results of %d runs" % len(runs))
+    rows = []
+    for folder, results in runs:
+        name = results.get("case", folder.name)
+        judged = [m["pass"] for m in results.get("measures", []) if m.get("pass") is not None]
+        rows.append([run_badge(results),
+                     Raw(f'<a href="#{_escaped(folder.name)}">{_escaped(name)}</a>'), results.get("title", ""),
+                     f"{sum(judged)} of {len(judged)}" if judged else "", results.get("preset", ""),
+                     results.get("particles"), results.get("steps"), results.get("wall_s"),
+                     results.get("particle_steps_per_s")])
+    page.table(["", "case", "title", "measures passed", "preset", "particles", "steps", "run time [s]",
+                "particle-steps/s"], rows)
+    for folder, results in runs:
+        page.section(results.get("title") or folder.name, anchor=folder.name)
+        run_parts(page, folder, results, level=3)
+    page.section("Machine, versions")
+    machine_section(page, {**(runs[0][1] if runs else {}), "numerics": {}})
+    page.save(out)
+    return pathlib.Path(out)
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description="Figures and a page of one run, or a page of several.")
+    parser.add_argument("folders", nargs="+", metavar="DIR", help="output folder of a run")
+    parser.add_argument("--page", metavar="OUT.html", help="one page over all folders")
+    options = parser.parse_args(arguments)
+    for folder in options.folders:
+        if not pathlib.Path(folder).is_dir():
+            sys.exit(f"scarp report: '{folder}' is no folder; give the output folder of a run.")
+    if options.page:
+        print(overall_page(options.page, options.folders))
+    else:
+        for folder in options.folders:
+            print(report(folder))
+
+
+if __name__ == "__main__":
+    main()

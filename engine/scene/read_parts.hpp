@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The parts of a scene, each read by a file of its own. Private to the reader.
+#pragma once
+
+#include "engine/scene/scene.hpp"
+#include "engine/scene/toml_value.hpp"
+
+namespace scarp::input {
+
+/// Rows of [numerics] on top of the preset.
+void read_numerics(const Value& section, Numerics& numerics);
+Material read_material(const Value& item, int dimension);
+/// `materials` resolves the body's material name.
+Body read_body(const Value& item, int dimension, const std::vector<Material>& materials);
+Wall read_wall(const Value& item, int dimension);
+void read_initial(const Value& section, Scene& scene);
+std::vector<Stage> read_stages(const std::vector<Value>& items);
+Probe read_probe(const Value& item, int dimension);
+Output read_output(const Value& section);
+
+/// Two components in 2D, three in 3D; the third is 0 in 2D.
+Vec3 read_vector(const Value& value, kernels::Unit unit, int dimension);
+Box read_box(const Table& table, int dimension);
+/// [[a, b], [a, b], ...] with at least `least` pairs [m].
+std::vector<std::array<double, 2>> read_pairs(const Value& value, std::size_t least);
+
+}  // namespace scarp::input

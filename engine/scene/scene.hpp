@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A scene as plain data: what `scene_reader` fills from TOML and what an embedding program may
+/// fill itself. SI units, angles in radians, tension positive.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scarp {
+
+using Vec3 = std::array<double, 3>;
+
+enum class SmoothingFunction { yang_liu, cubic_spline, wendland_c2 };
+enum class StressRotation { jaumann, hughes_winget };
+enum class Plasticity { return_mapping, rate, rate_corrected };
+enum class Integrator { verlet, kick_drift_kick };
+enum class WallKind { no_slip, free_slip };
+enum class StageEnd { duration, rest };
+enum class InitialStress { zero, geostatic };
+
+/// One row per line of the presets' table (`engine/scene/SCENE.md`); `preset()` fills them.
+struct Numerics {
+  std::string preset = "modern";
+  SmoothingFunction smoothing = SmoothingFunction::wendland_c2;
+  double smoothing_ratio = 1.5;       ///< smoothing length over particle spacing [-]
+  bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
+  bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
+  StressRotation stress_rotation = StressRotation::hughes_winget;
+  Plasticity plasticity = Plasticity::return_mapping;
+  double viscosity_alpha = 0.1;             ///< Eq. 26 [-]
+  double viscosity_beta = 0.0;              ///< Eq. 26 [-]
+  double artificial_stress = 0.0;           ///< epsilon of Eq. 27 [-]; 0 leaves the term out
+  double artificial_stress_exponent = 0.0;  ///< n of Eq. 20 [-]; 0 means W(0)/W(dx)
+  double stress_diffusion = 0.1;            ///< cap of the diffusivity in h c [-]; 0 leaves it out
+  double diffusion_shear_gate = 20.0;       ///< diffusivity per h^2 |shear rate| [-]
+  Integrator integrator = Integrator::kick_drift_kick;
+  int verlet_restart_interval = 40;  ///< M of Eq. 29 [steps]
+  double cfl = 0.8;                  ///< N_CFL of Eq. 30 [-]
+  bool near_yield_limiter = false;   ///< rate forms only: shorten a step that first meets yield
+  double skin = 0.1;                 ///< margin of the neighbour lists in h [-]
+  double density_minimum = 0.5;      ///< bound on density over reference density [-]
+  double density_maximum = 1.2;      ///< bound on density over reference density [-]
+};
+
+/// The rows of `kernels/constitutive/list.hpp` name the models and their parameters.
+struct Material {
+  std::string name;
+  std::string model = "drucker_prager";
+  double density = 0.0;            ///< reference density [kg/m3]
+  std::vector<double> parameters;  ///< in the order the model declares, SI
+};
+
+struct Polygon {  ///< 2D outline, or its extrusion along z (3D: along `axis`)
+  std::vector<std::array<double, 2>> points;
+  /// 3D only: outline lies in the x-z plane (z up) and is extruded along y over this range.
+  std::array<double, 2> extrude{0.0, 0.0};
+};
+struct Box {
+  Vec3 minimum{};
+  Vec3 maximum{};
+};
+struct Cylinder {  ///< disc in 2D, upright (z) cylinder in 3D
+  Vec3 centre{};   ///< of the disc, or of the cylinder's base
+  double radius = 0.0;
+  double inner_radius = 0.0;  ///< greater than 0 makes a ring or tube
+  double height = 0.0;        ///< 3D only
+};
+/// 3D: soil between `base` and a height over a plan rectangle, the height given by a profile table
+/// over x, y or the horizontal distance from `centre`, or by an expression in x and y.
+struct HeightField {
+  std::array<double, 2> plan_minimum{};
+  std::array<double, 2> plan_maximum{};
+  double base = 0.0;
+  enum class Kind { x_profile, y_profile, radial_profile, expression } kind = Kind::x_profile;
+  std::array<double, 2> centre{};
+  std::vector<std::array<double, 2>> profile;  ///< (distance, height), linear in between
+  std::string expression;                      ///< of x and y, evaluated by muParser
+};
+
+struct Body {
+  std::size_t material = 0;  ///< index into `materials`
+  std::variant<Polygon, Box, Cylinder, HeightField> shape;
+  Vec3 velocity{};  ///< initial velocity [m/s]
+};
+
+/// A flat piece of wall: `origin` + s `tangent_u` + t `tangent_v`, 0 <= s <= `length_u`, 0 <= t <=
+/// `length_v`; soil lies on the side `normal` points to. 2D facets have `length_v` 0.
+struct Facet {
+  Vec3 origin{};
+  Vec3 tangent_u{};
+  Vec3 tangent_v{};
+  double length_u = 0.0;
+  double length_v = 0.0;
+  Vec3 normal{};
+};
+
+struct Wall {
+  std::string name;
+  WallKind kind = WallKind::no_slip;
+  std::vector<Facet> facets;
+  Vec3 velocity{};         ///< rigid translation [m/s]
+  std::string moves_from;  ///< stage at whose start it begins to move; empty: from the start
+  std::string removed_at;  ///< stage at whose start it is removed; empty: never
+};
+
+struct Stage {
+  std::string name;
+  StageEnd until = StageEnd::duration;
+  double duration = 0.0;            ///< [s]; for `rest` the longest time allowed, 0: no limit
+  double rest_velocity = 1e-3;      ///< fastest particle at rest [m/s]
+  double strength_reduction = 1.0;  ///< factor SRF of Eq. 31 on every material [-]
+  std::map<std::string, double> material_strength_reduction;  ///< overrides by material name
+  double damping = -1.0;  ///< c_d of F = -c_d v [1/s]; negative: pi c_p/(2H) where a `rest` stage
+                          ///< resets after, else 0
+  bool reset_after = false;  ///< zero velocity, displacement, plastic strain when it ends
+};
+
+struct Probe {
+  std::string name;
+  Vec3 at{};  ///< follows the particle nearest to this point at the start
+};
+
+struct Output {
+  double frame_interval = 0.0;  ///< [s] of simulated time; 0: first and last frame of a stage
+  double probe_interval = 0.0;  ///< [s]; 0: a hundredth of the stage
+  bool frames = true;
+  bool energy = false;  ///< sum dissipation (costs a few per cent)
+};
+
+struct Scene {
+  std::string title;
+  std::string file;  ///< where it was read from; empty if built in code
+  int dimension = 2;
+  Vec3 gravity{0.0, -9.81, 0.0};
+  double spacing = 0.0;  ///< particle spacing dx [m]
+  Numerics numerics;
+  std::vector<Material> materials;
+  std::vector<Body> bodies;
+  std::vector<Wall> walls;
+  InitialStress initial_stress = InitialStress::zero;
+  double initial_k0 = -1.0;  ///< horizontal over vertical stress; negative: nu/(1-nu)
+  std::vector<Stage> stages;
+  std::vector<Probe> probes;
+  Output output;
+};
+
+/// The rows of the named preset ("paper" or "modern"); throws SceneError for another name.
+Numerics preset(const std::string& name);
+
+/// Checks everything that can be checked without particles; throws SceneError. Called by
+/// Simulation.
+void validate(const Scene& scene);
+
+}  // namespace scarp

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A TOML document into a valid `Scene`, section by section.
+#include "engine/scene/scene_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "engine/scene/read_parts.hpp"
+#include "engine/scene/scene_problem.hpp"
+
+namespace scarp {
+namespace {
+
+using input::Table;
+using input::Value;
+using kernels::Unit;
+
+constexpr std::size_t largest_file = std::size_t{16} << 20;
+
+/// Keys are ASCII, so a non-ASCII byte belongs in text or a comment; elsewhere it would reach a
+/// part of the parser's letter tables that is undefined for it.
+void check_bytes(std::string_view text, const std::string& name) {
+  enum class In { plain, comment, basic, literal } in = In::plain;
+  bool tripled = false;  // inside """ or '''
+  std::size_t line = 1;
+  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    const char quote = in == In::basic ? '"' : '\'';
+    if (letter == '\n') {
+      ++line;
+      if (!tripled) in = In::plain;
+    } else if (in == In::plain) {
+      if (static_cast<unsigned char>(letter) >= 0x80) {
+        throw SceneError(
+            fmt::format("{}:{}: a letter outside ASCII stands outside of quotes. Try ASCII for "
+                        "keys, and quotes "
+                        "around text.",
+                        name, line));
+      }
+      if (letter == '#') in = In::comment;
+      if (letter != '"' && letter != '\'') continue;
+      in = letter == '"' ? In::basic : In::literal;
+      tripled = text.substr(i, 3) == std::string(3, letter);
+      if (tripled) i += 2;
+    } else if (in == In::basic && letter == '\\') {
+      if (i + 1 < text.size() && text[i + 1] != '\n') ++i;
+    } else if (in != In::comment && letter == quote) {
+      if (tripled && text.substr(i, 3) != std::string(3, quote)) continue;
+      if (tripled) i += 2;
+      while (tripled && text.substr(i + 1, 1) == std::string(1, quote))
+        ++i;  // text may end in quotes
+      tripled = false;
+      in = In::plain;
+    }
+  }
+}
+
+toml::table parse(std::string_view text, const std::string& name) {
+  check_bytes(text, name);
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& error) {
+    const std::string why = input::one_line(error.description(), 300);
+    throw SceneError(
+        fmt::format("{}:{}: this is not TOML: {}. Try to compare the line with SCENE.md.", name,
+                    std::max<std::size_t>(1, error.source().begin.line), why));
+  }
+}
+
+/// Items of [[key]]; none if it is absent.
+std::vector<Value> list_of(const Table& root, std::string_view key) {
+  const auto value = root.find(key);
+  if (!value) return {};
+  if (value->is_table()) {
+    value->fail(fmt::format("there can be several. Try [[{}]] with double brackets.", key));
+  }
+  return value->items();
+}
+
+Scene read_document(const Value& document, const std::string& name,
+                    const SceneOverrides& overrides) {
+  const Table root =
+      document.table({"title", "dimension", "gravity", "spacing", "preset", "numerics", "material",
+                      "body", "wall", "initial", "stage", "probe", "output"});
+  Scene scene;
+  scene.file = name;
+  if (const auto title = root.find("title")) scene.title = title->text();
+  const Value dimension = root.require("dimension", "2 or dimension = 3");
+  scene.dimension = dimension.integer();
+  const int d = scene.dimension;
+  if (d != 2 && d != 3) dimension.fail("only plane strain and 3D exist. Try 2 or 3.");
+  scene.gravity = d == 2 ? Vec3{0.0, -9.81, 0.0} : Vec3{0.0, 0.0, -9.81};
+  if (const auto gravity = root.find("gravity")) {
+    scene.gravity = input::read_vector(*gravity, Unit::acceleration, d);
+  }
+  scene.spacing = root.require("spacing", "\"0.25 m\"").number(Unit::length);
+  if (overrides.spacing != 0.0) scene.spacing = overrides.spacing;
+  if (!(scene.spacing > 0.0)) {
+    root.require("spacing", "").fail("the particle spacing is not positive. Try \"0.25 m\".");
+  }
+
+  std::string preset_name = "modern";
+  if (const auto chosen = root.find("preset")) {
+    preset_name = chosen->choice("modern|paper") == 0 ? "modern" : "paper";
+  }
+  scene.numerics = preset(overrides.preset.empty() ? preset_name : overrides.preset);
+  if (const auto numerics = root.find("numerics")) {
+    input::read_numerics(*numerics, scene.numerics);
+  }
+
+  for (const Value& item : list_of(root, "material")) {
+    scene.materials.push_back(input::read_material(item, d));
+  }
+  for (const Value& item : list_of(root, "body")) {
+    scene.bodies.push_back(input::read_body(item, d, scene.materials));
+  }
+  for (const Value& item : list_of(root, "wall")) scene.walls.push_back(input::read_wall(item, d));
+  if (const auto initial = root.find("initial")) input::read_initial(*initial, scene);
+  scene.stages = input::read_stages(list_of(root, "stage"));
+  for (const Value& item : list_of(root, "probe")) {
+    scene.probes.push_back(input::read_probe(item, d));
+  }
+  if (const auto output = root.find("output")) scene.output = input::read_output(*output);
+  return scene;
+}
+
+/// Rethrows a broken rule with the line of its key, or of the nearest table around it.
+[[noreturn]] void locate(const SceneProblem& problem, const toml::table& document,
+                         const std::string& name) {
+  std::string path = problem.path();
+  if (const auto view = toml::at_path(document, path)) {
+    input::fail(name, *view.node(), path, problem.why());
+  }
+  std::size_t line = 1;
+  for (auto cut = path.find_last_of(".["); cut != std::string::npos;
+       cut = path.find_last_of(".[")) {
+    path.resize(cut);
+    const auto view = toml::at_path(document, path);
+    if (!view) continue;
+    line = std::max<std::size_t>(1, view.node()->source().begin.line);
+    break;
+  }
+  throw SceneError(fmt::format("{}:{}: {}", name, line, input::one_line(problem.what(), 1000)));
+}
+
+}  // namespace
+
+Scene read_scene_text(std::string_view text, const std::string& name,
+                      const SceneOverrides& overrides) {
+  const toml::table document = parse(text, name);
+  const Scene scene = read_document(Value(document, "", name), name, overrides);
+  try {
+    validate(scene);
+  } catch (const SceneProblem& problem) {
+    locate(problem, document, name);
+  }
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path, const SceneOverrides& overrides) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw FileError(fmt::format("{}: this is a folder. Try a scene file in it.", path.string()));
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw FileError(fmt::format("{}: the file cannot be opened. Try to check its name and rights.",
+                                path.string()));
+  }
+  std::string text(largest_file + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) throw FileError(fmt::format("{}: reading failed.", path.string()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > largest_file) {
+    throw SceneError(
+        fmt::format("{}:1: the file is larger than 16 MiB. Try a scene.", path.string()));
+  }
+  return read_scene_text(text, path.string(), overrides);
+}
+
+}  // namespace scarp

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Reading of typed values with complaints that name file, line, key, value, reason and remedy.
+#include "engine/scene/toml_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+#include "engine/scene/units.hpp"
+
+namespace scarp::input {
+namespace {
+
+std::string_view kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "text";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::none:
+      return "nothing";
+    default:
+      return "a date or time";
+  }
+}
+
+std::vector<std::string> split(std::string_view choices) {
+  std::vector<std::string> names;
+  std::size_t begin = 0;
+  while (begin <= choices.size()) {
+    const std::size_t end = std::min(choices.find('|', begin), choices.size());
+    names.emplace_back(choices.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string one_line(std::string_view raw, std::size_t longest) {
+  std::string text;
+  for (const char letter : raw) {  // no control characters, no run of blanks
+    const bool blank = static_cast<unsigned char>(letter) <= ' ' || letter == '\x7f';
+    if (!blank) text += letter;
+    if (blank && !text.empty() && text.back() != ' ') text += ' ';
+  }
+  if (text.size() <= longest) return text;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole letters
+  return text.substr(0, end) + "...";
+}
+
+std::string shown(const toml::node& node) {
+  std::ostringstream stream;
+  node.visit([&stream](const auto& typed) { stream << typed; });
+  return one_line(stream.str(), 60);
+}
+
+void fail(const std::string& file, const toml::node& node, const std::string& path,
+          const std::string& why) {
+  const std::size_t line = std::max<std::size_t>(1, node.source().begin.line);
+  const std::string reason = one_line(why, 1000);
+  if (path.empty()) throw SceneError(fmt::format("{}:{}: {}", file, line, reason));
+  throw SceneError(fmt::format("{}:{}: key '{}' = {}: {}", file, line, one_line(path, 100),
+                               shown(node), reason));
+}
+
+void Value::fail(const std::string& why) const { input::fail(*file_, *node_, path_, why); }
+
+void Value::wrong_type(std::string_view wanted, std::string_view example) const {
+  fail(fmt::format("this is {}, but {} is needed. Try {}.", kind_of(*node_), wanted, example));
+}
+
+double Value::number(kernels::Unit unit) const {
+  try {
+    if (const auto real = node_->value_exact<double>()) return check_bare_number(*real, unit);
+    if (const auto whole = node_->value_exact<std::int64_t>()) {
+      return check_bare_number(static_cast<double>(*whole), unit);
+    }
+    if (const auto words = node_->value_exact<std::string_view>()) {
+      return parse_quantity(*words, unit);
+    }
+  } catch (const UnitError& error) {
+    fail(fmt::format("{}.", error.what()));
+  }
+  const std::string units = accepted_units(unit);
+  wrong_type(quantity_name(unit),
+             units.empty() ? "1.5" : fmt::format("a number, or text with one of {}", units));
+}
+
+int Value::integer() const {
+  const auto whole = node_->value_exact<std::int64_t>();
+  if (!whole) wrong_type("an integer", "2");
+  if (std::abs(static_cast<double>(*whole)) > 1e9) fail("it is too large. Try less than 1e9.");
+  return static_cast<int>(*whole);
+}
+
+bool Value::boolean() const {
+  const auto truth = node_->value_exact<bool>();
+  if (!truth) wrong_type("true or false", "true");
+  return *truth;
+}
+
+std::string Value::text() const {
+  const auto words = node_->value_exact<std::string>();
+  if (!words) wrong_type("text", "\"text in quotes\"");
+  if (words->empty()) fail("the text is empty. Try some letters.");
+  return *words;
+}
+
+std::size_t Value::choice(std::string_view choices) const {
+  const std::vector<std::string> names = split(choices);
+  if (!is_text()) wrong_type("one of a few words", fmt::format("\"{}\"", names.front()));
+  const std::string word = text();
+  const auto found = std::find(names.begin(), names.end(), word);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  fail(fmt::format("it is none of {}. {}", fmt::join(names, ", "), did_you_mean(word, names)));
+}
+
+std::vector<Value> Value::items() const {
+  const toml::array* array = node_->as_array();
+  if (array == nullptr) wrong_type("an array", "[ ... ]");
+  if (array->empty()) fail("the array is empty. Try at least one item.");
+  std::vector<Value> items;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    items.emplace_back(*array->get(i), fmt::format("{}[{}]", path_, i), *file_);
+  }
+  return items;
+}
+
+std::vector<double> Value::numbers(kernels::Unit unit, std::size_t count) const {
+  const toml::array* array = node_->as_array();
+  if (array == nullptr) wrong_type(fmt::format("an array of {} numbers", count), "[0.0, 1.0]");
+  if (array->size() != count) {
+    fail(fmt::format("the array has {} item(s), but {} are needed here. Try {}.", array->size(),
+                     count, count == 2 ? "[first, second]" : "[x, y, z]"));
+  }
+  std::vector<double> result;
+  for (const Value& item : items()) result.push_back(item.number(unit));
+  return result;
+}
+
+Table Value::table(const Keys& known) const {
+  if (!is_table()) {
+    const std::string example = known.empty() ? "{ }" : fmt::format("{{{} = ...}}", known.front());
+    wrong_type("a table", example);
+  }
+  return Table(*this, known);
+}
+
+std::optional<Value> Value::peek(std::string_view key) const {
+  const toml::table* table = node_->as_table();
+  const toml::node* node = table == nullptr ? nullptr : table->get(key);
+  if (node == nullptr) return std::nullopt;
+  const std::string separator = path_.empty() ? "" : ".";
+  return Value(*node, path_ + separator + std::string(key), *file_);
+}
+
+Keys Value::keys() const {
+  Keys names;
+  if (const toml::table* table = node_->as_table()) {
+    for (const auto& entry : *table) names.push_back(entry.first.str());
+  }
+  return names;
+}
+
+Table::Table(const Value& value, const Keys& known)
+    : value_(value), table_(value.node_->as_table()) {
+  for (const auto& [key, node] : *table_) {
+    const std::string_view name = key.str();
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    input::fail(*value_.file_, node, path_of(name),
+                fmt::format("unknown key. {}", did_you_mean(name, known)));
+  }
+}
+
+std::string Table::path_of(std::string_view key) const {
+  return value_.path_.empty() ? std::string(key) : fmt::format("{}.{}", value_.path_, key);
+}
+
+std::optional<Value> Table::find(std::string_view key) const { return value_.peek(key); }
+
+Value Table::require(std::string_view key, std::string_view example) const {
+  if (const auto value = find(key)) return *value;
+  const std::size_t line = std::max<std::size_t>(1, table_->source().begin.line);
+  throw SceneError(fmt::format("{}:{}: key '{}' is missing. Try {} = {}.", *value_.file_, line,
+                               path_of(key), key, example));
+}
+
+std::string_view Table::require_one_of(const Keys& keys) const {
+  std::string_view found;
+  for (const std::string_view key : keys) {
+    if (!table_->contains(key)) continue;
+    if (!found.empty()) find(key)->fail(fmt::format("'{}' is given as well. Try only one.", found));
+    found = key;
+  }
+  if (!found.empty()) return found;
+  const std::size_t line = std::max<std::size_t>(1, table_->source().begin.line);
+  throw SceneError(fmt::format("{}:{}: '{}' has no shape. Try one of {}.", *value_.file_, line,
+                               value_.path_, fmt::join(keys, ", ")));
+}
+
+}  // namespace scarp::input

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The table of units a scene may use, and the parser of "number unit".
+#include "engine/scene/units.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace scarp {
+namespace {
+
+using kernels::Unit;
+
+struct UnitRow {
+  Unit unit;
+  std::string_view name;
+  double factor;  // to SI
+};
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+constexpr UnitRow rows[] = {
+    {Unit::length, "m", 1.0},
+    {Unit::length, "mm", 1e-3},
+    {Unit::length, "cm", 1e-2},
+    {Unit::length, "km", 1e3},
+    {Unit::time, "s", 1.0},
+    {Unit::time, "us", 1e-6},
+    {Unit::time, "ms", 1e-3},
+    {Unit::time, "min", 60.0},
+    {Unit::time, "h", 3600.0},
+    {Unit::velocity, "m/s", 1.0},
+    {Unit::velocity, "mm/s", 1e-3},
+    {Unit::velocity, "cm/s", 1e-2},
+    {Unit::velocity, "km/h", 1.0 / 3.6},
+    {Unit::acceleration, "m/s2", 1.0},
+    {Unit::acceleration, "m/s^2", 1.0},
+    {Unit::density, "kg/m3", 1.0},
+    {Unit::density, "kg/m^3", 1.0},
+    {Unit::density, "g/cm3", 1e3},
+    {Unit::density, "g/cm^3", 1e3},
+    {Unit::density, "t/m3", 1e3},
+    {Unit::density, "t/m^3", 1e3},
+    {Unit::pressure, "Pa", 1.0},
+    {Unit::pressure, "kPa", 1e3},
+    {Unit::pressure, "MPa", 1e6},
+    {Unit::pressure, "GPa", 1e9},
+    {Unit::pressure, "N/m2", 1.0},
+    {Unit::pressure, "kN/m2", 1e3},
+    {Unit::angle, "deg", degree},
+    {Unit::angle, "rad", 1.0},
+};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t";
+  const auto first = text.find_first_not_of(blank);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+double finite(double value) {
+  if (!std::isfinite(value)) throw UnitError("it is not a finite number. Try a finite one");
+  return value;
+}
+
+std::string example(Unit unit) {
+  for (const UnitRow& row : rows) {
+    if (row.unit == unit) return fmt::format("\"1.5 {}\"", row.name);
+  }
+  return "1.5";
+}
+
+}  // namespace
+
+std::string_view quantity_name(Unit unit) {
+  switch (unit) {
+    case Unit::none:
+      return "a plain number";
+    case Unit::length:
+      return "a length";
+    case Unit::time:
+      return "a time";
+    case Unit::velocity:
+      return "a velocity";
+    case Unit::acceleration:
+      return "an acceleration";
+    case Unit::density:
+      return "a density";
+    case Unit::pressure:
+      return "a pressure";
+    case Unit::angle:
+      return "an angle";
+    case Unit::choice:
+      return "a choice";
+  }
+  return "a value";
+}
+
+std::string accepted_units(Unit unit) {
+  std::string list;
+  for (const UnitRow& row : rows) {
+    if (row.unit != unit) continue;
+    if (!list.empty()) list += ", ";
+    list += row.name;
+  }
+  return list;
+}
+
+double check_bare_number(double value, Unit unit) {
+  finite(value);
+  if (unit == Unit::angle && value != 0.0) {
+    throw UnitError(
+        fmt::format("an angle needs its unit. Try \"{} deg\" or \"{} rad\"", value, value));
+  }
+  return value;
+}
+
+double parse_quantity(std::string_view text, Unit unit) {
+  std::string_view rest = trimmed(text);
+  if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  const bool doubled_sign = text.find("+-") != std::string_view::npos;
+  if (error == std::errc::result_out_of_range) finite(HUGE_VAL);
+  if (error != std::errc{} || doubled_sign) {
+    throw UnitError(fmt::format("{} is needed. Try a number, or text such as {}",
+                                quantity_name(unit), example(unit)));
+  }
+  const std::string_view name = trimmed(rest.substr(static_cast<std::size_t>(end - rest.data())));
+  if (unit == Unit::none || unit == Unit::choice) {
+    throw UnitError("a plain number without unit and quotes is needed. Try 1.5");
+  }
+  if (name.empty()) {
+    throw UnitError(fmt::format("the text has no unit. Try one of {}", accepted_units(unit)));
+  }
+  const UnitRow* other = nullptr;
+  for (const UnitRow& row : rows) {
+    if (row.name != name) continue;
+    if (row.unit == unit) return finite(finite(number) * row.factor);
+    other = &row;
+  }
+  if (other != nullptr) {
+    throw UnitError(fmt::format("'{}' is the unit of {}, but {} is needed. Try one of {}", name,
+                                quantity_name(other->unit), quantity_name(unit),
+                                accepted_units(unit)));
+  }
+  throw UnitError(fmt::format("unknown unit '{}' for {}. Try one of {}", name.substr(0, 20),
+                              quantity_name(unit), accepted_units(unit)));
+}
+
+}  // namespace scarp

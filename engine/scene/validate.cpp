@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The rules every scene keeps, from a file or made in code; each names the key it is about.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "engine/scene/nearest_name.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/scene/scene_problem.hpp"
+#include "engine/scene/validate_parts.hpp"
+#include "kernels/constitutive/list.hpp"
+
+namespace scarp {
+namespace {
+
+using checks::inside;
+using checks::rule;
+
+void check_numerics(const Numerics& n) {
+  rule(n.preset == "modern" || n.preset == "paper", "preset", '"' + n.preset + '"',
+       "there is no such preset. Try \"modern\" or \"paper\".");
+  const auto key = [](const char* row) { return fmt::format("numerics.{}", row); };
+  inside(n.smoothing_ratio, 0.8, 3.0, key("smoothing_ratio"));
+  inside(n.viscosity_alpha, 0.0, 100.0, key("viscosity_alpha"));
+  inside(n.viscosity_beta, 0.0, 100.0, key("viscosity_beta"));
+  inside(n.artificial_stress, 0.0, 10.0, key("artificial_stress"));
+  inside(n.artificial_stress_exponent, 0.0, 20.0, key("artificial_stress_exponent"));
+  inside(n.stress_diffusion, 0.0, 1.0, key("stress_diffusion"));
+  inside(n.diffusion_shear_gate, 0.0, 1e6, key("diffusion_shear_gate"));
+  inside(n.verlet_restart_interval, 1, 1e6, key("verlet_restart_interval"));
+  inside(n.cfl, 1e-6, 2.0, key("cfl"));
+  inside(n.skin, 0.0, 2.0, key("skin"));
+  inside(n.density_minimum, 0.01, 1.0, key("density_minimum"));
+  inside(n.density_maximum, 1.0, 10.0, key("density_maximum"));
+  rule(!n.near_yield_limiter || n.plasticity != Plasticity::return_mapping,
+       key("near_yield_limiter"), "true",
+       "with return mapping every flowing particle would clamp the step. Try plasticity = \"rate\" "
+       "or \"rate_corrected\", or false.");
+}
+
+/// Names stand in tables and file names of the results.
+template <class Named>
+void check_names(const std::vector<Named>& list, const char* section) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string& name = list[i].name;
+    const std::string path = fmt::format("{}[{}].name", section, i), quoted = '"' + name + '"';
+    rule(!name.empty() && name.size() <= 64, path, quoted,
+         "a name has 1 to 64 letters. Try a short one.");
+    for (const char letter : name) {
+      const bool control = static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
+      rule(!control && std::string_view("/\\\",.[]").find(letter) == std::string_view::npos, path,
+           quoted, "it holds one of / \\ \" , . [ ] or a control character. Try letters and _.");
+    }
+    rule(seen.insert(name).second, path, quoted,
+         fmt::format("another {} has the same name. Try a different one.", section));
+  }
+}
+
+void check_material(const Material& material, const std::string& path) {
+  inside(material.density, 1e-6, 1e6, path + ".density");
+  const int index = kernels::model_index(material.model);
+  rule(index >= 0, path + ".model", '"' + material.model + '"',
+       "there is no such model. Try \"drucker_prager\".");
+  const auto specs = kernels::models[static_cast<std::size_t>(index)].parameters;
+  rule(material.parameters.size() == specs.size(), path + ".parameters",
+       fmt::format("{} values", material.parameters.size()),
+       fmt::format("model {} has {} parameters. Try to give each of them.", material.model,
+                   specs.size()));
+  double friction = std::nan("");
+  for (std::size_t p = 0; p < specs.size(); ++p) {
+    const auto& spec = specs[p];
+    const double value = material.parameters[p];
+    const std::string key = fmt::format("{}.{}", path, spec.name);
+    if (spec.unit == kernels::Unit::angle) {
+      checks::inside_degrees(value, spec.minimum, spec.maximum, key);
+    } else {
+      inside(value, spec.minimum, spec.maximum, key);
+    }
+    rule(spec.unit != kernels::Unit::choice || value == std::floor(value), key,
+         fmt::format("{}", value), "a choice is the index of a word. Try a whole number.");
+    if (std::string_view(spec.name) == "friction_angle") friction = value;
+    if (std::string_view(spec.name) == "dilation_angle" && value > friction) {
+      throw SceneProblem(key, fmt::format("{}", value),
+                         "dilation above the friction angle would create energy. Try at most the "
+                         "friction angle.");
+    }
+  }
+}
+
+void check_stage(const Scene& scene, const Stage& stage, const std::string& path) {
+  inside(stage.duration, 0.0, 1e9, path + ".duration");
+  rule(stage.duration > 0.0 || stage.until == StageEnd::rest, path + ".duration", "0",
+       "the stage would take no time. Try \"10 s\", or until = \"rest\".");
+  inside(stage.rest_velocity, 1e-12, 1e3, path + ".rest_velocity");
+  inside(stage.strength_reduction, 1e-3, 1e3, path + ".strength_reduction");
+  inside(stage.damping, -1e9, 1e9, path + ".damping");
+  std::vector<std::string> names;
+  for (const Material& material : scene.materials) names.push_back(material.name);
+  for (const auto& [name, factor] : stage.material_strength_reduction) {
+    const std::string key = fmt::format("{}.strength_reduction.{}", path, name);
+    rule(std::find(names.begin(), names.end(), name) != names.end(), key, fmt::format("{}", factor),
+         fmt::format("no material has this name. {}", did_you_mean(name, names)));
+    inside(factor, 1e-3, 1e3, key);
+  }
+}
+
+void check_stage_name(const Scene& scene, const std::string& name, const std::string& path) {
+  if (name.empty()) return;
+  std::vector<std::string> names;
+  for (const Stage& stage : scene.stages) names.push_back(stage.name);
+  rule(std::find(names.begin(), names.end(), name) != names.end(), path, '"' + name + '"',
+       fmt::format("no stage has this name. {}", did_you_mean(name, names)));
+}
+
+void check_initial(const Scene& scene) {
+  if (scene.initial_stress == InitialStress::zero) return;
+  int along = 0;
+  for (const double g : scene.gravity) along += g != 0.0;
+  rule(along == 1, "initial.stress", "\"geostatic\"",
+       "gravity does not point along one axis, so no depth is defined. Try \"zero\", or gravity "
+       "along an axis.");
+  inside(scene.initial_k0, -10.0, 10.0, "initial.k0");
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+  inside(scene.dimension, 2, 3, "dimension");
+  inside(scene.spacing, 1e-9, 1e9, "spacing");
+  checks::vector(scene.gravity, scene.dimension, 1e6, "gravity");
+  check_numerics(scene.numerics);
+  rule(!scene.materials.empty(), "material", "none", "nothing is made of it. Try a [[material]].");
+  rule(!scene.bodies.empty(), "body", "none", "there is no soil. Try a [[body]].");
+  rule(!scene.stages.empty(), "stage", "none", "nothing would be run. Try a [[stage]].");
+  check_names(scene.materials, "material");
+  check_names(scene.walls, "wall");
+  check_names(scene.stages, "stage");
+  check_names(scene.probes, "probe");
+  const auto item = [](const char* section, std::size_t i) {
+    return fmt::format("{}[{}]", section, i);
+  };
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    check_material(scene.materials[m], item("material", m));
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) checks::body(scene, b, item("body", b));
+  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+    const Wall& wall = scene.walls[w];
+    checks::wall(wall, scene.dimension, item("wall", w));
+    check_stage_name(scene, wall.moves_from, item("wall", w) + ".motion.from");
+    check_stage_name(scene, wall.removed_at, item("wall", w) + ".until");
+  }
+  check_initial(scene);
+  for (std::size_t s = 0; s < scene.stages.size(); ++s) {
+    check_stage(scene, scene.stages[s], item("stage", s));
+  }
+  for (std::size_t p = 0; p < scene.probes.size(); ++p) {
+    checks::vector(scene.probes[p].at, scene.dimension, 1e9, item("probe", p) + ".at");
+  }
+  inside(scene.output.frame_interval, 0.0, 1e9, "output.every");
+  inside(scene.output.probe_interval, 0.0, 1e9, "output.probes_every");
+}
+
+}  // namespace scarp

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Rules about shapes, and the small checks all rules are made of. Private to `validate`.
+#pragma once
+
+#include <string>
+
+#include "engine/scene/scene.hpp"
+
+namespace scarp::checks {
+
+// Each throws SceneProblem naming `path` when it does not hold.
+void rule(bool holds, const std::string& path, const std::string& value, const std::string& why);
+/// Finite and minimum <= value <= maximum.
+void inside(double value, double minimum, double maximum, const std::string& path);
+/// The same for radians, with a message in degrees.
+void inside_degrees(double value, double minimum, double maximum, const std::string& path);
+/// Components finite, at most `largest` in size, and no z in 2D.
+void vector(const Vec3& value, int dimension, double largest, const std::string& path);
+void body(const Scene& scene, std::size_t index, const std::string& path);
+void wall(const Wall& wall, int dimension, const std::string& path);
+
+}  // namespace scarp::checks

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Rules about the shapes of bodies and walls.
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <cmath>
+
+#include "engine/scene/scene_problem.hpp"
+#include "engine/scene/validate_parts.hpp"
+
+namespace scarp::checks {
+namespace {
+
+constexpr double largest_length = 1e9;  // [m]
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+void point(const std::array<double, 2>& p, const std::string& path) {
+  for (const double x : p) inside(x, -largest_length, largest_length, path);
+}
+
+void ordered(double low, double high, const std::string& path) {
+  rule(high > low, path, fmt::format("[{}, {}]", low, high),
+       "the second is not above the first. Try the smaller one first.");
+}
+
+void shape(const Polygon& polygon, int dimension, const std::string& path) {
+  const std::string key = path + ".polygon";
+  const auto& p = polygon.points;
+  rule(p.size() >= 3, key, fmt::format("{} points", p.size()),
+       "an outline needs three points. Try at least 3.");
+  double area = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    point(p[i], fmt::format("{}[{}]", key, i));
+    const auto& q = p[(i + 1) % p.size()];
+    const double ax = p[i][0] - p[0][0], ay = p[i][1] - p[0][1];
+    const double bx = q[0] - p[0][0], by = q[1] - p[0][1];
+    area += 0.5 * (ax * by - ay * bx);
+    size = std::fmax(size, std::fmax(std::abs(ax), std::abs(ay)));
+  }
+  rule(std::abs(area) > 1e-12 * size * size, key, fmt::format("{} points", p.size()),
+       "the outline encloses no area. Try points that go round the body once.");
+  if (dimension != 3) return;
+  point(polygon.extrude, path + ".extrude");
+  ordered(polygon.extrude[0], polygon.extrude[1], path + ".extrude");
+}
+
+void shape(const Box& box, int dimension, const std::string& path) {
+  vector(box.minimum, dimension, largest_length, path + ".box.min");
+  vector(box.maximum, dimension, largest_length, path + ".box.max");
+  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
+    rule(box.maximum[d] > box.minimum[d], path + ".box.max", fmt::format("{}", box.maximum[d]),
+         "it is not above min in every direction. Try min = [0, 0], max = [1, 1].");
+  }
+}
+
+void shape(const Cylinder& cylinder, int dimension, const std::string& path) {
+  const std::string key = path + ".cylinder";
+  vector(cylinder.centre, dimension, largest_length, key + ".centre");
+  inside(cylinder.radius, 1e-9, largest_length, key + ".radius");
+  inside(cylinder.inner_radius, 0.0, largest_length, key + ".inner_radius");
+  rule(cylinder.inner_radius < cylinder.radius, key + ".inner_radius",
+       fmt::format("{}", cylinder.inner_radius),
+       "nothing is left of the ring. Try less than the radius.");
+  if (dimension == 3) inside(cylinder.height, 1e-9, largest_length, key + ".height");
+}
+
+void expression(const HeightField& field, const std::string& key) {
+  rule(!field.expression.empty() && field.expression.size() <= 1000, key,
+       fmt::format("{} letters", field.expression.size()),
+       "an expression has 1 to 1000 letters. Try a shorter one.");
+  // The corners are enough to find a wrong word; heights elsewhere are checked where they are used.
+  for (const double x0 : {field.plan_minimum[0], field.plan_maximum[0]}) {
+    for (const double y0 : {field.plan_minimum[1], field.plan_maximum[1]}) {
+      double x = x0, y = y0, height = 0.0;
+      try {
+        mu::Parser parser;
+        parser.DefineVar("x", &x);
+        parser.DefineVar("y", &y);
+        parser.SetExpr(field.expression);
+        height = parser.Eval();
+      } catch (const mu::Parser::exception_type& error) {
+        throw SceneProblem(key, '"' + field.expression + '"',
+                           fmt::format("{} Try an expression of x and y.", error.GetMsg()));
+      }
+      rule(std::isfinite(height), key, '"' + field.expression + '"',
+           fmt::format("the height at x = {}, y = {} is not finite. Try one that is finite on the "
+                       "whole plan.",
+                       x0, y0));
+    }
+  }
+}
+
+void shape(const HeightField& field, int dimension, const std::string& path) {
+  const std::string key = path + ".height_field";
+  rule(dimension == 3, key, "...", "a height field needs dimension = 3. Try a polygon in 2D.");
+  point(field.plan_minimum, key + ".plan");
+  point(field.plan_maximum, key + ".plan");
+  ordered(field.plan_minimum[0], field.plan_maximum[0], key + ".plan");
+  ordered(field.plan_minimum[1], field.plan_maximum[1], key + ".plan");
+  inside(field.base, -largest_length, largest_length, key + ".base");
+  if (field.kind == HeightField::Kind::expression) return expression(field, key + ".expression");
+  point(field.centre, key + ".centre");
+  rule(field.profile.size() >= 2, key + ".profile", fmt::format("{} points", field.profile.size()),
+       "a profile needs two points. Try [[0, 1], [10, 0]].");
+  for (std::size_t i = 0; i < field.profile.size(); ++i) {
+    const std::string item = fmt::format("{}.profile[{}]", key, i);
+    point(field.profile[i], item);
+    rule(i == 0 || field.profile[i][0] >= field.profile[i - 1][0], item,
+         fmt::format("[{}, {}]", field.profile[i][0], field.profile[i][1]),
+         "the distance is below the one before. Try rising distances; equal ones make a vertical "
+         "face.");
+  }
+}
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+}  // namespace
+
+void rule(bool holds, const std::string& path, const std::string& value, const std::string& why) {
+  if (!holds) throw SceneProblem(path, value, why);
+}
+
+void inside(double value, double minimum, double maximum, const std::string& path) {
+  rule(std::isfinite(value), path, fmt::format("{}", value),
+       "it is not a finite number. Try a finite one.");
+  rule(value >= minimum && value <= maximum, path, fmt::format("{}", value),
+       fmt::format("it is outside {} to {}. Try a value inside.", minimum, maximum));
+}
+
+void inside_degrees(double value, double minimum, double maximum, const std::string& path) {
+  rule(std::isfinite(value) && value >= minimum && value <= maximum, path,
+       fmt::format("{} rad", value),
+       fmt::format("it is outside {:.4g} to {:.4g} deg. Try a value inside.", minimum / degree,
+                   maximum / degree));
+}
+
+void vector(const Vec3& value, int dimension, double largest, const std::string& path) {
+  for (const double component : value) inside(component, -largest, largest, path);
+  rule(dimension == 3 || value[2] == 0.0, path, fmt::format("[.., .., {}]", value[2]),
+       "2D has no z. Try z = 0, or dimension = 3.");
+}
+
+void body(const Scene& scene, std::size_t index, const std::string& path) {
+  const Body& body = scene.bodies[index];
+  rule(body.material < scene.materials.size(), path + ".material", fmt::format("{}", body.material),
+       fmt::format("there are only {} materials. Try a smaller index.", scene.materials.size()));
+  std::visit([&](const auto& s) { shape(s, scene.dimension, path); }, body.shape);
+  vector(body.velocity, scene.dimension, 1e6, path + ".velocity");
+}
+
+void wall(const Wall& wall, int dimension, const std::string& path) {
+  rule(!wall.facets.empty(), path + ".facets", "none", "the wall has no shape. Try one facet.");
+  constexpr double tolerance =
+      1e-9;  // far above round-off of a normalised vector, far below a typing error
+  for (std::size_t f = 0; f < wall.facets.size(); ++f) {
+    const Facet& facet = wall.facets[f];
+    const std::string key = fmt::format("{}.facets[{}]", path, f);
+    vector(facet.origin, dimension, largest_length, key + ".origin");
+    vector(facet.normal, dimension, 2.0, key + ".normal");
+    vector(facet.tangent_u, dimension, 2.0, key + ".tangent_u");
+    inside(facet.length_u, 1e-9, largest_length, key + ".length_u");
+    if (dimension == 3) inside(facet.length_v, 1e-9, largest_length, key + ".length_v");
+    const auto off = [](double value, double wanted) {
+      return !(std::abs(value - wanted) < tolerance);
+    };
+    rule(!off(dot(facet.normal, facet.normal), 1.0), key + ".normal", "...",
+         "it is no unit vector. Try to normalise it.");
+    rule(!off(dot(facet.tangent_u, facet.tangent_u), 1.0), key + ".tangent_u", "...",
+         "it is no unit vector. Try to normalise it.");
+    rule(!off(dot(facet.normal, facet.tangent_u), 0.0), key + ".normal", "...",
+         "it does not stand on the facet. Try u x v.");
+    if (dimension == 2) continue;
+    vector(facet.tangent_v, 3, 2.0, key + ".tangent_v");
+    rule(!off(dot(facet.tangent_v, facet.tangent_v), 1.0), key + ".tangent_v", "...",
+         "it is no unit vector. Try to normalise it.");
+    rule(!off(dot(facet.normal, facet.tangent_v), 0.0), key + ".normal", "...",
+         "it does not stand on the facet. Try u x v.");
+    rule(!off(dot(facet.tangent_u, facet.tangent_v), 0.0), key + ".tangent_v", "...",
+         "it is not at right angles to tangent_u. Try a rectangle.");
+  }
+  vector(wall.velocity, dimension, 1e6, path + ".motion.velocity");
+}
+
+}  // namespace scarp::checks

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Findings about soil that is too soft or cannot yield, and numerics known not to work together.
+#include "engine/scene/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/constitutive/list.hpp"
+
+namespace scarp {
+namespace {
+
+using kernels::DruckerPrager;
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  void take(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+/// Extent of a body along one axis [m]; a height given by an expression is not known here and
+/// counts as 0.
+struct Extent {
+  std::size_t axis;
+  int dimension;
+
+  Range operator()(const Polygon& polygon) const {
+    Range range;
+    const bool across = dimension == 3 && axis == 1;
+    for (const auto& p : polygon.points) range.take(p[axis == 0 ? 0 : 1]);
+    return across ? Range{polygon.extrude[0], polygon.extrude[1]} : range;
+  }
+  Range operator()(const Box& box) const { return {box.minimum[axis], box.maximum[axis]}; }
+  Range operator()(const Cylinder& cylinder) const {
+    const double centre = cylinder.centre[axis];
+    if (axis == 2) return {centre, centre + cylinder.height};
+    return {centre - cylinder.radius, centre + cylinder.radius};
+  }
+  Range operator()(const HeightField& field) const {
+    if (axis != 2) return {field.plan_minimum[axis], field.plan_maximum[axis]};
+    Range range{field.base, field.base};
+    for (const auto& p : field.profile) range.take(p[1]);
+    return range;
+  }
+};
+
+std::string degrees(double angle) {
+  return fmt::format("{:.4g} deg", angle * 45.0 / std::atan(1.0));
+}
+
+void check_cone(const Scene& scene, const Material& material, std::vector<std::string>& found) {
+  if (material.model != DruckerPrager::name) return;
+  const auto& p = material.parameters;
+  const double phi = p[DruckerPrager::friction_angle];
+  const auto cone = static_cast<kernels::Cone>(static_cast<int>(p[DruckerPrager::cone]));
+  if (scene.dimension == 2 && cone == kernels::Cone::outer) {
+    const double alpha = DruckerPrager::cone_constants(0.0, phi, 0.0, cone).alpha_phi;
+    if (3.0 * alpha >= 1.0) {
+      found.push_back(
+          fmt::format("material '{}': with cone = \"outer\" and a friction angle of {} the soil "
+                      "never yields in "
+                      "plane strain. Try cone = \"plane_strain\", or less than 42.2 deg.",
+                      material.name, degrees(phi)));
+    }
+  }
+  if (p[DruckerPrager::cohesion] == 0.0 && phi == 0.0) {
+    found.push_back(fmt::format(
+        "material '{}': cohesion and friction angle are 0, so it has no strength at all.",
+        material.name));
+  }
+}
+
+/// Settlement under its own weight, gamma H / (2 M) of the height H; M is the constrained modulus.
+void check_settlement(const Scene& scene, std::vector<std::string>& found) {
+  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto steepest = std::max_element(scene.gravity.begin(), scene.gravity.end(), larger);
+  const Extent extent{static_cast<std::size_t>(steepest - scene.gravity.begin()), scene.dimension};
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    Range range;
+    for (const Body& body : scene.bodies) {
+      if (body.material != m) continue;
+      const Range own = std::visit(extent, body.shape);
+      range.take(own.low);
+      range.take(own.high);
+    }
+    const Material& material = scene.materials[m];
+    // Both indices are 0 and 1 in every model: elasticity comes first.
+    const double e = material.parameters[0], nu = material.parameters[1];
+    const double modulus = e * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    const double height = range.high - range.low;
+    const double share = material.density * std::abs(*steepest) * height / (2.0 * modulus);
+    if (!(height > 0.0) || !(share > 0.1)) continue;
+    found.push_back(fmt::format(
+        "material '{}': with E = {:.4g} Pa a body {:.4g} m high settles by about {:.0f} % of its "
+        "height under its own weight. Is E in the right unit (kPa, MPa)? Try a stiffer soil.",
+        material.name, e, height, 100.0 * share));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Scene& scene) {
+  std::vector<std::string> found;
+  for (const Material& material : scene.materials) check_cone(scene, material, found);
+  check_settlement(scene, found);
+  if (scene.numerics.plasticity == Plasticity::rate_corrected &&
+      scene.numerics.integrator == Integrator::verlet) {
+    found.emplace_back(
+        "numerics: plasticity = \"rate_corrected\" gives wrong plastic strains with Verlet. Try "
+        "integrator = \"kick_drift_kick\", or plasticity = \"return\".");
+  }
+  if (scene.numerics.integrator == Integrator::verlet && scene.numerics.cfl > 0.8) {
+    found.push_back(fmt::format(
+        "numerics: cfl = {} is near or above the limit of Verlet, which leaps over two steps. Try "
+        "0.6, or integrator = \"kick_drift_kick\".",
+        scene.numerics.cfl));
+  }
+  for (const Wall& wall : scene.walls) {
+    if (!wall.removed_at.empty() && wall.removed_at == scene.stages.front().name) {
+      found.push_back(fmt::format(
+          "wall '{}': it is removed when the first stage begins, so it never acts.", wall.name));
+    }
+  }
+  return found;
+}
+
+}  // namespace scarp

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Turns a scene into the state of a run: what it uses is chosen here, once.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "engine/boundary/wall_clearance.hpp"
+#include "engine/errors.hpp"
+#include "engine/parallel.hpp"
+#include "engine/particles/generate.hpp"
+#include "engine/state.hpp"
+#include "kernels/constitutive/list.hpp"
+#include "kernels/pair/tension_factor_fit.hpp"
+#include "kernels/smoothing/list.hpp"
+
+namespace scarp {
+namespace {
+
+const kernels::SmoothingForm& smoothing_form(const Numerics& numerics) {
+  return kernels::smoothing_functions[static_cast<std::size_t>(numerics.smoothing)];
+}
+
+/// M of the undisturbed lattice: -1/d sum_j V r dW/dr. Equation: K2.
+double lattice_moment_of(const Numerics& numerics, int dimension) {
+  const kernels::SmoothingForm& form = smoothing_form(numerics);
+  const double ratio = 1.0 / numerics.smoothing_ratio;
+  const int reach = static_cast<int>(2.0 * numerics.smoothing_ratio) + 1;
+  const int depth = dimension == 3 ? reach : 0;
+  double sum = 0.0;
+  for (int x = -reach; x <= reach; ++x) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int z = -depth; z <= depth; ++z) {
+        const double q = ratio * std::sqrt(x * x + y * y + z * z);
+        if (q > 0.0) sum += q * form.slope(q);
+      }
+    }
+  }
+  return -sum * form.normalisation(dimension) * std::pow(ratio, dimension) / dimension;
+}
+
+const kernels::KernelTable& choose_table(const RunOptions& options) {
+  std::string wanted = options.isa;
+  if (wanted.empty()) {
+    if (const char* environment = std::getenv("SCARP_ISA")) wanted = environment;
+  }
+  const auto available = kernels::available_isas();
+  if (wanted.empty()) return kernels::kernels_of(available.back());
+  const auto isa = kernels::isa_named(wanted);
+  if (!isa || std::find(available.begin(), available.end(), *isa) == available.end()) {
+    std::string names;
+    for (const kernels::Isa one : available) names += fmt::format(" {}", kernels::isa_name(one));
+    throw SceneError(
+        fmt::format("instruction set '{}' is not available here; try one of:{}", wanted, names));
+  }
+  return kernels::kernels_of(*isa);
+}
+
+ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& table) {
+  const Numerics& n = scene.numerics;
+  ChosenKernels chosen;
+  chosen.table = &table;
+  chosen.artificial_stress = n.artificial_stress > 0.0;
+  chosen.viscosity = n.viscosity_alpha > 0.0 || n.viscosity_beta > 0.0;
+  chosen.diffusion = n.stress_diffusion > 0.0;
+  chosen.correction = n.gradient_correction || chosen.diffusion;
+  const auto sweep = [&](kernels::Terms terms, bool correction) {
+    const bool force = terms != kernels::Terms::gradient;
+    return table.sweep_for({scene.dimension, terms, force && chosen.viscosity,
+                            force && chosen.artificial_stress, correction});
+  };
+  if (n.integrator == Integrator::verlet)
+    chosen.fused = sweep(kernels::Terms::fused, chosen.correction);
+  chosen.gradient = sweep(kernels::Terms::gradient, chosen.correction);
+  chosen.force = sweep(kernels::Terms::force, false);
+  return chosen;
+}
+
+std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) {
+  std::vector<Field> used{Field::position,     Field::velocity,           Field::density,
+                          Field::stress,       Field::reference_position, Field::build_position,
+                          Field::acceleration, Field::density_rate,       Field::velocity_gradient,
+                          Field::approach_rate};
+  const auto add = [&used](bool wanted, std::initializer_list<Field> fields) {
+    if (wanted) used.insert(used.end(), fields);
+  };
+  const Numerics& n = scene.numerics;
+  const bool plastic =
+      std::any_of(scene.materials.begin(), scene.materials.end(),
+                  [](const Material& m) { return m.model != kernels::LinearElastic::name; });
+  add(n.integrator == Integrator::verlet,
+      {Field::previous_velocity, Field::previous_density, Field::previous_stress});
+  add(plastic, {Field::accumulated_plastic_strain});
+  add(n.gradient_correction, {Field::moment});
+  add(chosen.diffusion, {Field::diffusivity, Field::diffusion_rate, Field::diffusion_slope});
+  add(scene.output.energy, {Field::stress_work});
+  add(scene.output.energy && plastic, {Field::plastic_work});
+  add(scene.output.energy && chosen.diffusion, {Field::diffusion_work});
+  return used;
+}
+
+void fill_particles(State& state, const SoilPoints& soil) {
+  const Scene& scene = state.scene;
+  const int dimension = scene.dimension;
+  std::vector<ParticleGroup> groups;
+  std::int64_t first = 0;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const auto count = std::count(soil.material.begin(), soil.material.end(), m);
+    if (count == 0) continue;
+    groups.push_back({first, count, padded(count), m});
+    first += padded(count);
+  }
+  state.particles = ParticleBuffers(dimension, groups, used_fields(scene, state.kernels));
+  ParticleBuffers& p = state.particles;
+  std::vector<double> depth;
+  if (scene.initial_stress == InitialStress::geostatic) depth = depth_below_surface(scene, soil);
+  const Vec3& g = scene.gravity;
+  const double weight = std::hypot(g[0], g[1], g[2]);
+  for (const ParticleGroup& group : groups) {
+    const Material& material = scene.materials[group.material];
+    const double k0 = state.material_constants[group.material].k0;
+    std::int64_t slot = group.first;
+    for (std::size_t id = 0; id < soil.position.size(); ++id) {
+      if (soil.material[id] != group.material) continue;
+      p.ids()[static_cast<std::size_t>(slot)] = static_cast<std::int64_t>(id);
+      for (int a = 0; a < dimension; ++a) {
+        const auto axis = static_cast<std::size_t>(a);
+        p.component(Field::position, a)[slot] = soil.position[id][axis];
+        p.component(Field::reference_position, a)[slot] = soil.position[id][axis];
+        p.component(Field::velocity, a)[slot] = soil.velocity[id][axis];
+      }
+      if (!depth.empty()) {
+        const double vertical = -material.density * weight * depth[id];
+        for (int c = 0; c < 3; ++c) {
+          const double along = weight > 0.0 ? g[static_cast<std::size_t>(c)] / weight : 0.0;
+          p.component(Field::stress, c)[slot] = vertical * (k0 + (1.0 - k0) * along * along);
+        }
+      }
+      ++slot;
+    }
+    std::fill_n(p.component(Field::density) + group.first, group.capacity, material.density);
+    if (p.has(Field::previous_density)) {
+      std::fill_n(p.component(Field::previous_density) + group.first, group.capacity,
+                  material.density);
+    }
+  }
+}
+
+void set_pair_constants(State& state) {
+  const Numerics& n = state.scene.numerics;
+  const kernels::SmoothingForm& form = smoothing_form(n);
+  kernels::PairConstants<double>& c = state.pair_constants;
+  for (int k = 0; k < 3; ++k) {
+    c.smoothing.derivative[k] = form.derivative(k);
+    c.smoothing.value[k] = form.value[k];
+  }
+  c.smoothing.derivative_inner = form.derivative(3);
+  c.smoothing.value_inner = form.value_inner;
+  c.viscosity_alpha = n.viscosity_alpha;
+  c.viscosity_beta = n.viscosity_beta;
+  for (std::size_t a = 0; a < 3; ++a)
+    c.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
+  if (state.kernels.artificial_stress) {
+    const double q = 1.0 / n.smoothing_ratio;
+    const double automatic = form.shape(0.0) / form.shape(q);
+    kernels::fit_tension_factor(
+        form, q, n.artificial_stress_exponent > 0.0 ? n.artificial_stress_exponent : automatic,
+        c.tension_factor);
+  }
+}
+
+}  // namespace
+
+void set_material_constants(State& state) {
+  const Scene& scene = state.scene;
+  const Numerics& n = scene.numerics;
+  const Stage& stage = scene.stages[state.stage.index];
+  state.material_constants.resize(scene.materials.size());
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    kernels::StressPassConstants c{};
+    const kernels::ElasticModuli moduli =
+        kernels::elastic_moduli(material.parameters[0], material.parameters[1]);
+    c.bulk_modulus = moduli.bulk_modulus;
+    c.shear_modulus = moduli.shear_modulus;
+    if (material.model == kernels::DruckerPrager::name) {
+      const auto own = stage.material_strength_reduction.find(material.name);
+      const double reduction =
+          own != stage.material_strength_reduction.end() ? own->second : stage.strength_reduction;
+      const kernels::ConeConstants cone =
+          kernels::DruckerPrager::reduced(material.parameters, reduction);
+      c.alpha_phi = cone.alpha_phi;
+      c.k_c = cone.k_c;
+      c.alpha_psi = cone.alpha_psi;
+    }
+    c.reference_density = material.density;
+    c.density_minimum = n.density_minimum * material.density;
+    c.density_maximum = n.density_maximum * material.density;
+    c.smoothing_length = state.smoothing_length;
+    c.diffusion_cap = n.stress_diffusion;
+    c.diffusion_shear_gate = n.diffusion_shear_gate;
+    std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
+    const double poisson = material.parameters[1];
+    c.k0 = scene.initial_k0 >= 0.0 ? scene.initial_k0 : poisson / (1.0 - poisson);
+    c.gradient_correction = n.gradient_correction;
+    c.hughes_winget = n.stress_rotation == StressRotation::hughes_winget;
+    c.plasticity = static_cast<int>(n.plasticity);
+    state.material_constants[m] = c;
+  }
+}
+
+void place_walls(State& state) {
+  const double cell = 0.5 * (2.0 + state.scene.numerics.skin) * state.smoothing_length;
+  std::vector<bool> has_dummies = state.wall_stands;
+  for (std::size_t w = 0; w < has_dummies.size(); ++w) {
+    if (state.scene.walls[w].kind == WallKind::free_slip) has_dummies[w] = false;
+  }
+  WallDummies moved = state.dummies;
+  for (std::size_t k = 0; k < moved.position.size(); ++k) {
+    for (std::size_t a = 0; a < 3; ++a) moved.position[k][a] += state.wall_offset[moved.wall[k]][a];
+  }
+  state.walls = Walls(moved, has_dummies, cell);
+  state.records =
+      Records(state.particles.slots(), state.walls.slots(), state.kernels.artificial_stress);
+  state.lists_valid = false;
+}
+
+State make_state(Scene scene, const RunOptions& options) {
+  validate(scene);
+  State state;
+  state.scene = std::move(scene);
+  state.threads = options.threads > 0 ? options.threads : default_threads();
+  const Numerics& n = state.scene.numerics;
+  const int dimension = state.scene.dimension;
+  state.kernels = choose_kernels(state.scene, choose_table(options));
+  state.smoothing_length = n.smoothing_ratio * state.scene.spacing;
+  state.lattice_moment = lattice_moment_of(n, dimension);
+  state.particle_volume = std::pow(state.scene.spacing, dimension);
+  state.scaling.inverse_smoothing_length = 1.0 / state.smoothing_length;
+  state.scaling.gradient_factor = smoothing_form(n).normalisation(dimension) /
+                                  std::pow(state.smoothing_length, dimension + 1) /
+                                  (n.lattice_normalisation ? state.lattice_moment : 1.0);
+  set_material_constants(state);
+  for (std::size_t m = 0; m < state.scene.materials.size(); ++m) {
+    const kernels::StressPassConstants& c = state.material_constants[m];
+    state.scaling.mass.push_back(state.scene.materials[m].density * state.particle_volume);
+    state.scaling.wave_modulus.push_back(c.bulk_modulus + 4.0 / 3.0 * c.shear_modulus);
+  }
+  set_pair_constants(state);
+  const SoilPoints soil = generate_soil(state.scene);
+  check_wall_clearance(state.scene, soil);
+  state.dummies = generate_dummies(state.scene);
+  state.wall_offset.assign(state.scene.walls.size(), Vec3{});
+  state.wall_stands.assign(state.scene.walls.size(), true);
+  state.wall_velocity.assign(state.scene.walls.size(), Vec3{});
+  fill_particles(state, soil);
+  place_walls(state);
+  for (const Probe& probe : state.scene.probes) {
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t id = 0; id < soil.position.size(); ++id) {
+      double square = 0.0;
+      for (std::size_t a = 0; a < 3; ++a) {
+        square += (soil.position[id][a] - probe.at[a]) * (soil.position[id][a] - probe.at[a]);
+      }
+      if (square < least) {
+        least = square;
+        nearest = id;
+      }
+    }
+    state.probe_ids.push_back(static_cast<std::int64_t>(nearest));
+  }
+  start_ledger(state);
+  return state;
+}
+
+}  // namespace scarp

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Public entry of the library, and the step as a list of phases.
+#include "engine/simulation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "engine/errors.hpp"
+#include "engine/state.hpp"
+
+namespace scarp {
+namespace {
+
+using Phase = void (*)(State&);
+
+/// The step of each integrator, literally; an adapter may act between two phases.
+constexpr std::array verlet_phases{
+    refresh_neighbours, extrapolate_wall_stress, sweep_all, sample_energy,
+    choose_time_step,   advance_verlet,          end_step};
+constexpr std::array kick_drift_kick_phases{choose_time_step,
+                                            kick_half,
+                                            drift_half,
+                                            refresh_neighbours,
+                                            extrapolate_wall_stress,
+                                            sweep_gradient,
+                                            advance_stress,
+                                            drift_half,
+                                            refresh_neighbours,
+                                            extrapolate_wall_stress,
+                                            sweep_force,
+                                            sample_energy,
+                                            kick_half,
+                                            end_step};
+
+std::span<const Phase> phases_of(Integrator integrator) {
+  if (integrator == Integrator::verlet) return verlet_phases;
+  return kick_drift_kick_phases;
+}
+
+}  // namespace
+
+struct Simulation::Impl {
+  State state;
+  std::vector<std::int64_t> slot_of_id() const {
+    std::vector<std::int64_t> slots(static_cast<std::size_t>(state.particles.count()));
+    const auto& ids = state.particles.ids();
+    for (std::size_t slot = 0; slot < ids.size(); ++slot) {
+      if (ids[slot] >= 0)
+        slots[static_cast<std::size_t>(ids[slot])] = static_cast<std::int64_t>(slot);
+    }
+    return slots;
+  }
+};
+
+Simulation::Simulation(Scene scene, RunOptions options)
+    : impl_(std::make_unique<Impl>(Impl{make_state(std::move(scene), options)})) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+const StepReport& Simulation::step() {
+  State& state = impl_->state;
+  if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
+  if (!state.stage.started) {
+    enter_stage(state, 0);
+  } else if (state.stage.ended) {
+    enter_stage(state, state.stage.index + 1);
+  }
+  for (const Phase phase : phases_of(state.scene.numerics.integrator)) phase(state);
+  return state.report;
+}
+
+bool Simulation::finished() const {
+  const State& state = impl_->state;
+  return state.stage.ended && state.stage.index + 1 == state.scene.stages.size();
+}
+void Simulation::end_stage() { impl_->state.stage.ended = true; }
+
+void Simulation::set_following_stages(std::vector<Stage> stages) {
+  State& state = impl_->state;
+  Scene changed = state.scene;
+  changed.stages.resize(state.stage.index + 1);
+  changed.stages.insert(changed.stages.end(), stages.begin(), stages.end());
+  validate(changed);
+  state.scene = std::move(changed);
+}
+
+Simulation Simulation::clone() const {
+  Simulation copy(*this);
+  return copy;
+}
+Simulation::Simulation(const Simulation& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+
+const Scene& Simulation::scene() const { return impl_->state.scene; }
+const StepReport& Simulation::last_step() const { return impl_->state.report; }
+std::size_t Simulation::stage_index() const { return impl_->state.stage.index; }
+bool Simulation::stage_ended() const { return impl_->state.stage.ended; }
+bool Simulation::stage_reached_rest() const { return impl_->state.stage.reached_rest; }
+
+std::size_t Simulation::soil_count() const {
+  return static_cast<std::size_t>(impl_->state.particles.count());
+}
+std::size_t Simulation::wall_count() const {
+  return static_cast<std::size_t>(impl_->state.walls.count());
+}
+
+std::vector<FieldInfo> Simulation::fields() const {
+  std::vector<FieldInfo> infos;
+  for (const FieldRow& field : field_list) {
+    if (field.output && impl_->state.particles.has(field.field)) {
+      infos.push_back({field.name, field.unit, component_count(field.rank), field.description});
+    }
+  }
+  infos.push_back({"displacement", "m", 3, "displacement since the last reset"});
+  return infos;
+}
+
+std::vector<double> Simulation::field(std::string_view name) const {
+  const State& state = impl_->state;
+  const ParticleBuffers& p = state.particles;
+  const std::vector<std::int64_t> slots = impl_->slot_of_id();
+  const auto gather = [&](int components, auto&& value) {
+    std::vector<double> out(slots.size() * static_cast<std::size_t>(components));
+    for (std::size_t id = 0; id < slots.size(); ++id) {
+      for (int c = 0; c < components; ++c) {
+        out[id * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] =
+            value(id, slots[id], c);
+      }
+    }
+    return out;
+  };
+  const auto read = [&](Field field, std::int64_t slot, int c) {
+    const double* array = p.component(field, c);
+    return array != nullptr ? array[slot] : 0.0;
+  };
+  if (name == "id")
+    return gather(1, [](std::size_t id, std::int64_t, int) { return static_cast<double>(id); });
+  if (name == "displacement") {
+    return gather(3, [&](std::size_t, std::int64_t slot, int c) {
+      return read(Field::position, slot, c) - read(Field::reference_position, slot, c);
+    });
+  }
+  if (name == "material") {
+    return gather(1, [&](std::size_t, std::int64_t slot, int) {
+      const auto& groups = p.groups();
+      const auto group = std::find_if(groups.begin(), groups.end(), [slot](const ParticleGroup& g) {
+        return slot < g.padded_end();
+      });
+      return static_cast<double>(group->material);
+    });
+  }
+  for (const FieldRow& field : field_list) {
+    const bool readable = field.output || field.field == Field::position;
+    if (name != field.name || !readable || !p.has(field.field)) continue;
+    return gather(component_count(field.rank), [&](std::size_t, std::int64_t slot, int c) {
+      return read(field.field, slot, c);
+    });
+  }
+  std::string known = "position, id, material";
+  for (const FieldInfo& info : fields()) known += ", " + info.name;
+  throw Error(fmt::format("no field '{}' in this run; there are {}", name, known));
+}
+
+std::vector<double> Simulation::wall_positions() const {
+  const Walls& walls = impl_->state.walls;
+  std::vector<double> out;
+  for (std::int64_t k = 0; k < walls.count(); ++k) {
+    for (const double* axis : {walls.points().x, walls.points().y, walls.points().z})
+      out.push_back(axis[k]);
+  }
+  return out;
+}
+
+EnergyBalance Simulation::energy() const { return energy_balance(impl_->state); }
+std::vector<WallReaction> Simulation::wall_reactions() const {
+  return scarp::wall_reactions(impl_->state);
+}
+
+ProbeSample Simulation::probe(std::size_t index) const {
+  const State& state = impl_->state;
+  const auto& ids = state.particles.ids();
+  const auto slot = std::find(ids.begin(), ids.end(), state.probe_ids.at(index)) - ids.begin();
+  const auto read = [&](Field field, int c) {
+    const double* array = state.particles.component(field, c);
+    return array != nullptr ? array[slot] : 0.0;
+  };
+  ProbeSample sample;
+  sample.probe = state.scene.probes[index].name;
+  for (int a = 0; a < 3; ++a) {
+    const auto axis = static_cast<std::size_t>(a);
+    sample.position[axis] = read(Field::position, a);
+    sample.displacement[axis] = sample.position[axis] - read(Field::reference_position, a);
+    sample.velocity[axis] = read(Field::velocity, a);
+  }
+  for (int c = 0; c < 6; ++c) sample.stress[static_cast<std::size_t>(c)] = read(Field::stress, c);
+  sample.density = read(Field::density, 0);
+  sample.accumulated_plastic_strain = read(Field::accumulated_plastic_strain, 0);
+  return sample;
+}
+
+double Simulation::smoothing_length() const { return impl_->state.smoothing_length; }
+double Simulation::lattice_moment() const { return impl_->state.lattice_moment; }
+std::string Simulation::isa() const { return impl_->state.kernels.table->name; }
+int Simulation::threads() const { return impl_->state.threads; }
+std::size_t Simulation::memory_bytes() const {
+  const State& s = impl_->state;
+  return s.particles.bytes() + s.records.bytes() + s.walls.bytes() + s.lists.bytes() +
+         s.wall_lists.bytes() + s.soil_cells.bytes() + s.wall_cells.bytes();
+}
+std::uint64_t Simulation::rebuild_count() const { return impl_->state.rebuilds; }
+std::uint64_t Simulation::density_bound_count() const { return impl_->state.density_bounds; }
+std::vector<UsedFeature> Simulation::features() const { return used_features(impl_->state); }
+
+}  // namespace scarp

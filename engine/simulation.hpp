@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Public entry of the library: a scene becomes particles, `step()` advances them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/scene/scene.hpp"
+
+namespace scarp {
+
+/// How a run is carried out; nothing here changes the physics.
+struct RunOptions {
+  int threads = 0;  ///< 0: what OpenMP would take
+  std::string isa;  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
+};
+
+/// Which bound set the last time step (Eq. 30).
+enum class StepLimit { courant, force, growth, stage_end, near_yield };
+
+/// What the last step did.
+struct StepReport {
+  std::uint64_t step = 0;
+  double time = 0.0;        ///< simulated time since the start [s]
+  double stage_time = 0.0;  ///< since the start of the stage [s]
+  double time_step = 0.0;   ///< [s]
+  StepLimit limit = StepLimit::courant;
+  double max_velocity = 0.0;  ///< of the soil [m/s]
+};
+
+/// Energies [J, per metre of thickness in 2D]; dissipated parts are 0 unless `Output::energy`.
+struct EnergyBalance {
+  double kinetic = 0.0;
+  double potential = 0.0;          ///< relative to the start of the stage
+  double elastic = 0.0;            ///< relative to the start of the stage
+  double plastic = 0.0;            ///< work of the stress on the plastic strain
+  double viscous = 0.0;            ///< taken by the artificial viscosity (with the walls' share)
+  double damping = 0.0;            ///< taken by F = -c_d v
+  double wall = 0.0;               ///< work the soil does on walls
+  double artificial_stress = 0.0;  ///< taken by the artificial stress
+  double gradient_residue =
+      0.0;                 ///< force power minus stress power: plain force, corrected gradient
+  double diffusion = 0.0;  ///< elastic energy taken by the stress diffusion
+  double imbalance = 0.0;  ///< what the lines above leave open
+};
+
+/// Sum of the forces the soil exerts on a wall [N, per metre in 2D].
+struct WallReaction {
+  std::string wall;
+  Vec3 force{};
+};
+
+struct ProbeSample {
+  std::string probe;
+  Vec3 position{};
+  Vec3 displacement{};
+  Vec3 velocity{};
+  std::array<double, 6> stress{};  ///< xx, yy, zz, xy, yz, zx, tension positive [Pa]
+  double density = 0.0;
+  double accumulated_plastic_strain = 0.0;
+};
+
+/// A quantity of the particles that can be read out and written to frames.
+struct FieldInfo {
+  std::string name;  ///< "density", "stress", "displacement", ...
+  std::string unit;
+  int components = 1;  ///< 1, 3 (x, y, z) or 6 (xx, yy, zz, xy, yz, zx)
+  std::string description;
+};
+
+/// One way the run was specialised, for `scarp check`.
+struct UsedFeature {
+  std::string name;
+  bool used = false;
+  std::string note;  ///< why, or what leaving it out saves
+};
+
+/// Owns the particles of one scene. Not safe for concurrent use of one object; two objects are
+/// independent. Errors: SceneError from the constructor (nothing is left behind),
+/// SimulationInstability from `step()` (state stays readable).
+class Simulation {
+ public:
+  explicit Simulation(Scene scene, RunOptions options = {});
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Advances one time step, entering the next stage first where one has ended.
+  const StepReport& step();
+  /// True when the last stage has ended.
+  bool finished() const;
+  /// Ends the current stage now: the next `step()` enters the next one.
+  void end_stage();
+  /// Replaces the stages that follow the current one (a family of runs from one settled state).
+  void set_following_stages(std::vector<Stage> stages);
+  /// An independent copy that goes on from here bit for bit.
+  Simulation clone() const;
+
+  const Scene& scene() const;
+  const StepReport& last_step() const;
+  std::size_t stage_index() const;
+  bool stage_ended() const;         ///< the current stage has reached its end
+  bool stage_reached_rest() const;  ///< ... because everything came to rest, not by its time
+
+  std::size_t soil_count() const;
+  std::size_t wall_count() const;  ///< dummy particles of the walls
+  std::vector<FieldInfo> fields() const;
+  /// Values of the soil particles in order of their permanent id, `components` per particle, SI.
+  /// Also "position", "id" and "material". Throws Error for an unknown name.
+  std::vector<double> field(std::string_view name) const;
+  std::vector<double> wall_positions() const;  ///< 3 per dummy particle
+
+  EnergyBalance energy() const;
+  std::vector<WallReaction> wall_reactions() const;
+  ProbeSample probe(std::size_t index) const;
+
+  double smoothing_length() const;
+  double lattice_moment() const;  ///< M of the undisturbed lattice for this smoothing function
+  std::string isa() const;        ///< the instruction set in use
+  int threads() const;
+  std::size_t memory_bytes() const;           ///< state, records and lists
+  std::uint64_t rebuild_count() const;        ///< of the neighbour lists so far
+  std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far
+  std::vector<UsedFeature> features() const;
+
+ private:
+  Simulation(const Simulation& other);
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scarp

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Stages of a run: settle, reduce the strength, remove walls, end.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/state.hpp"
+
+namespace scarp {
+namespace {
+
+/// Time in which a change is felt through the whole soil: a passage of a wave.
+double wave_passage(const State& state) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const ParticleGroup& group : state.particles.groups()) {
+    slowest = std::min(slowest, std::sqrt(state.scaling.wave_modulus[group.material] /
+                                          state.scene.materials[group.material].density));
+  }
+  return soil_height(state) / slowest;
+}
+
+/// Zero velocity, displacement and plastic strain; stress, density and positions stay.
+void reset(State& state) {
+  ParticleBuffers& p = state.particles;
+  const auto slots = p.slots();
+  for (int a = 0; a < state.scene.dimension; ++a) {
+    std::fill_n(p.component(Field::velocity, a), slots, 0.0);
+    std::copy_n(p.component(Field::position, a), slots, p.component(Field::reference_position, a));
+  }
+  for (const Field field : {Field::accumulated_plastic_strain, Field::stress_work,
+                            Field::plastic_work, Field::diffusion_work}) {
+    if (p.has(field)) std::fill_n(p.component(field), slots, 0.0);
+  }
+}
+
+void update_walls(State& state, const std::string& stage) {
+  bool removed = false;
+  for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+    const Wall& wall = state.scene.walls[w];
+    if (wall.removed_at == stage && state.wall_stands[w]) {
+      state.wall_stands[w] = false;
+      removed = true;
+    }
+  }
+  if (removed) place_walls(state);
+  // A wall moves from the start of its stage on; a wall without one from the first stage.
+  for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+    const Wall& wall = state.scene.walls[w];
+    bool moves = wall.moves_from.empty();
+    for (std::size_t s = 0; s <= state.stage.index; ++s)
+      moves |= state.scene.stages[s].name == wall.moves_from;
+    state.wall_velocity[w] = moves ? wall.velocity : Vec3{};
+  }
+}
+
+}  // namespace
+
+double soil_height(const State& state) {
+  const Vec3& g = state.scene.gravity;
+  const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      double up = 0.0;
+      for (int a = 0; a < state.scene.dimension; ++a) {
+        const double share =
+            size > 0.0 ? -g[static_cast<std::size_t>(a)] / size : (a == state.scene.dimension - 1);
+        up += share * state.particles.component(Field::position, a)[k];
+      }
+      low = std::min(low, up);
+      high = std::max(high, up);
+    }
+  }
+  return high - low + state.scene.spacing;
+}
+
+void enter_stage(State& state, std::size_t index) {
+  if (state.stage.started && state.scene.stages[state.stage.index].reset_after) reset(state);
+  const Stage& stage = state.scene.stages[index];
+  state.stage = StageClock{};
+  state.stage.index = index;
+  state.stage.started = true;
+  update_walls(state, stage.name);
+  set_material_constants(state);
+  const bool automatic = stage.damping < 0.0;
+  const double passage = wave_passage(state);
+  // pi c_p / (2 H) is the circular frequency of a column's first mode: critical within a factor of
+  // two.
+  state.stage.damping = !automatic ? stage.damping
+                        : stage.until == StageEnd::rest && stage.reset_after
+                            ? std::numbers::pi / (2.0 * passage)
+                            : 0.0;
+  const Vec3& g = state.scene.gravity;
+  const double fall = std::sqrt(soil_height(state) / std::max(std::hypot(g[0], g[1], g[2]), 1e-12));
+  state.stage.rest_window = state.stage.damping > 0.0 ? 4.0 * passage : fall;
+  state.clock.restart = true;
+  state.clock.growth_base = 0.0;
+  state.report.stage_time = 0.0;
+  if (state.kernels.fused ==
+      nullptr) {  // kick-drift-kick needs the acceleration its first kick uses
+    refresh_neighbours(state);
+    extrapolate_wall_stress(state);
+    sweep_force(state);
+  }
+  start_ledger(state);
+}
+
+void end_step(State& state) {
+  const double dt = state.clock.time_step;
+  for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+    const Vec3& v = state.wall_velocity[w];
+    if (v == Vec3{}) continue;
+    const Vec3 step{v[0] * dt, v[1] * dt, v[2] * dt};
+    for (std::size_t a = 0; a < 3; ++a) state.wall_offset[w][a] += step[a];
+    state.walls.move(w, step);
+    state.walls_moved += std::hypot(step[0], step[1], step[2]);
+  }
+  ++state.report.step;
+  state.report.time += dt;
+  state.stage.time += dt;
+  state.report.stage_time = state.stage.time;
+  const Stage& stage = state.scene.stages[state.stage.index];
+  if (state.report.limit == StepLimit::stage_end) state.stage.ended = true;
+  if (stage.until == StageEnd::rest) {
+    if (state.report.max_velocity >= stage.rest_velocity) {
+      state.stage.calm_since = -1.0;
+    } else if (state.stage.calm_since < 0.0) {
+      state.stage.calm_since = state.stage.time;
+    } else if (state.stage.time - state.stage.calm_since > state.stage.rest_window) {
+      state.stage.ended = state.stage.reached_rest = true;
+    }
+  }
+}
+
+}  // namespace scarp

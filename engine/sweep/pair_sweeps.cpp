@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Runs the chosen pair sweep over all clusters, in chunks.
+#include "engine/parallel.hpp"
+#include "engine/state.hpp"
+
+namespace scarp {
+namespace {
+
+void run(State& state, kernels::PairSweep<double> sweep,
+         const kernels::PairSweepView<double>& view) {
+  const std::int64_t chunk = particle_chunk / state.kernels.table->cluster_size;
+  parallel_chunks(state.threads, state.lists.clusters(), chunk,
+                  [&](std::int64_t begin, std::int64_t end) { sweep(view, begin, end); });
+}
+
+/// Tension records are only needed where a force is summed; without any tension the term is
+/// skipped.
+void run_step_sweep(State& state, kernels::PairSweep<double> sweep, bool force) {
+  kernels::PairSweepView<double> view = sweep_view(state);
+  if (force && state.kernels.artificial_stress) {
+    const bool any = state.records.pack_tension(state.threads, state.particles,
+                                                state.scene.numerics.artificial_stress);
+    state.images.pack_tension(state.records);
+    state.records.fill(view, any);
+  }
+  run(state, sweep, view);
+}
+
+}  // namespace
+
+kernels::PairSweepView<double> sweep_view(State& state) {
+  kernels::PairSweepView<double> view{};
+  state.records.fill(view, false);
+  view.neighbours = state.lists.view();
+  view.constants = state.pair_constants;
+  view.smoothing_length = state.smoothing_length;
+  ParticleBuffers& p = state.particles;
+  view.density_rate = p.component(Field::density_rate);
+  p.components(Field::velocity_gradient, view.velocity_gradient);
+  p.components(Field::moment, view.moment);
+  p.components(Field::acceleration, view.acceleration);
+  view.approach_rate = p.component(Field::approach_rate);
+  p.components(Field::diffusion_rate, view.diffusion_rate);
+  view.diffusion_slope = p.component(Field::diffusion_slope);
+  return view;
+}
+
+kernels::ParticleView particle_view(State& state) {
+  ParticleBuffers& p = state.particles;
+  kernels::ParticleView view{};
+  p.components(Field::position, view.position);
+  p.components(Field::velocity, view.velocity);
+  view.density = p.component(Field::density);
+  p.components(Field::stress, view.stress);
+  p.components(Field::previous_velocity, view.previous_velocity);
+  view.previous_density = p.component(Field::previous_density);
+  p.components(Field::previous_stress, view.previous_stress);
+  view.accumulated_plastic_strain = p.component(Field::accumulated_plastic_strain);
+  view.stress_work = p.component(Field::stress_work);
+  view.plastic_work = p.component(Field::plastic_work);
+  view.diffusion_work = p.component(Field::diffusion_work);
+  view.diffusivity = p.component(Field::diffusivity);
+  const ParticleBuffers& rates = p;
+  view.density_rate = rates.component(Field::density_rate);
+  rates.components(Field::velocity_gradient, view.velocity_gradient);
+  rates.components(Field::moment, view.moment);
+  rates.components(Field::acceleration, view.acceleration);
+  rates.components(Field::diffusion_rate, view.diffusion_rate);
+  view.diffusion_slope = rates.component(Field::diffusion_slope);
+  return view;
+}
+
+void sweep_all(State& state) { run_step_sweep(state, state.kernels.fused, true); }
+void sweep_gradient(State& state) { run_step_sweep(state, state.kernels.gradient, false); }
+void sweep_force(State& state) { run_step_sweep(state, state.kernels.force, true); }
+
+void sweep_force_with(State& state, const kernels::PairSweepView<double>& view) {
+  run(state, state.kernels.force, view);
+}
+
+}  // namespace scarp

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Scenes, stepping and cost of the cases.
+
+#include "validation/case_run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <system_error>
+
+#include "engine/cli/progress.hpp"
+#include "engine/errors.hpp"
+#include "engine/scene/scene_reader.hpp"
+
+namespace scarp::validation {
+namespace {
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+const char* form_name(Form form) {
+  return form == Form::short_form ? "short" : form == Form::main ? "main" : "full";
+}
+
+}  // namespace
+
+std::filesystem::path data_folder() {
+  namespace fs = std::filesystem;
+  if (const char* chosen = std::getenv("SCARP_VALIDATION"); chosen && *chosen) return chosen;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = program.parent_path().parent_path() / "share/scarp/validation";
+  return !error && fs::exists(installed, error) ? installed : fs::path(SCARP_VALIDATION_SOURCE);
+}
+
+CaseRun::CaseRun(std::string case_name, CaseOptions options) : options_(std::move(options)) {
+  folder_ = options_.out / case_name;
+  std::error_code error;
+  std::filesystem::create_directories(folder_, error);
+  if (error) {
+    throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
+                                folder_.string(), error.message()));
+  }
+  result_.case_name = std::move(case_name);
+  result_.form = form_name(options_.form);
+  start_s_ = now_s();
+}
+
+Scene CaseRun::scene(const Spacings& spacings) const {
+  const double own = options_.form == Form::short_form ? spacings.short_form
+                     : options_.form == Form::main     ? spacings.main
+                                                       : spacings.full;
+  const std::filesystem::path file =
+      data_folder() / "cases" / result_.case_name / (result_.case_name + ".toml");
+  return read_scene(file, {options_.preset, options_.spacing > 0.0 ? options_.spacing : own});
+}
+
+void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWriter* writer,
+                        const std::function<void(const Simulation&)>& each_step) {
+  if (!options_.quiet) {
+    fmt::print(stderr, "{}: {}, {} particles\n", result_.case_name, name, simulation.soil_count());
+  }
+  cli::Progress progress(cli::total_duration(simulation.scene()), options_.quiet);
+  const double start = now_s();
+  const StepReport before = simulation.last_step();
+  const auto book = [&] {
+    const StepReport& after = simulation.last_step();
+    const std::uint64_t steps = after.step - before.step;
+    result_.runs.push_back(
+        {name, steps, static_cast<double>(steps) * static_cast<double>(simulation.soil_count()),
+         after.time - before.time, now_s() - start});
+    progress.end();
+  };
+  try {
+    do {
+      simulation.step();
+      if (writer != nullptr) writer->after_step(simulation);
+      if (each_step) each_step(simulation);
+      progress.update(simulation);
+    } while (!simulation.stage_ended());
+  } catch (const SimulationInstability& instability) {
+    book();
+    if (writer != nullptr) writer->finish(simulation, now_s() - start, instability.what());
+    throw;
+  }
+  book();
+  result_.stages.push_back({name, simulation.last_step().time, simulation.last_step().step,
+                            simulation.stage_reached_rest()});
+}
+
+void CaseRun::finish(const Simulation* simulation, const std::string& failure) {
+  result_.wall_s = now_s() - start_s_;
+  result_.failure = failure;
+  double particle_steps = 0.0, stepping = 0.0;
+  for (const RunCost& run : result_.runs) {
+    particle_steps += run.particle_steps;
+    stepping += run.wall_s;
+  }
+  add(reported("run time", result_.wall_s, "s", "the whole case, this machine and thread count"));
+  if (stepping > 0.0) add(reported("particle-steps per second", particle_steps / stepping, "1/s"));
+  write_case_results(folder_ / "results.json", simulation, result_);
+}
+
+}  // namespace scarp::validation

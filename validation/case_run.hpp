@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What every validation case is given: its options, its folder, and a way to step that counts
+/// cost.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/output/run_writer.hpp"
+#include "engine/simulation.hpp"
+#include "validation/acceptance.hpp"
+
+namespace scarp::validation {
+
+/// How much of a case is run: for a quick check, as published, or finer.
+enum class Form { short_form, main, full };
+
+struct CaseOptions {
+  Form form = Form::main;
+  std::filesystem::path out = "out";  ///< the case's folder is made in it
+  std::string preset;                 ///< in place of the scene's
+  double spacing = 0.0;               ///< in place of the form's [m]
+  RunOptions run;
+  bool quiet = false;
+};
+
+/// Particle spacing of each form [m].
+struct Spacings {
+  double short_form, main, full;
+};
+
+/// One execution of a case. Collects measures and costs; knows nothing of what is measured.
+class CaseRun {
+ public:
+  CaseRun(std::string case_name, CaseOptions options);
+
+  /// `validation/cases/<case>/<case>.toml` with the options applied. Errors: FileError, SceneError.
+  Scene scene(const Spacings& spacings) const;
+
+  /// Steps until the present stage ends, the steps' cost booked under `name`; `writer` may be null.
+  /// Errors: SimulationInstability, FileError.
+  void run_stage(const std::string& name, Simulation& simulation, RunWriter* writer = nullptr,
+                 const std::function<void(const Simulation&)>& each_step = {});
+
+  void add(Measure measure) { result_.measures.push_back(std::move(measure)); }
+  const CaseOptions& options() const { return options_; }
+  bool short_form() const { return options_.form == Form::short_form; }
+  const std::filesystem::path& folder() const { return folder_; }
+  const CaseResult& result() const { return result_; }
+
+  /// Ends the case: the measures of cost, then results.json; `simulation` may be null if there was
+  /// none. Errors: FileError.
+  void finish(const Simulation* simulation, const std::string& failure = {});
+
+ private:
+  CaseOptions options_;
+  std::filesystem::path folder_;
+  CaseResult result_;
+  double start_s_ = 0.0;
+};
+
+/// The folder of the cases' data: SCARP_VALIDATION, else beside an installed program, else the
+/// source tree it was built from.
+std::filesystem::path data_folder();
+
+}  // namespace scarp::validation

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The program `scarp-validate`: runs cases, judges them, shows the verdict.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "engine/errors.hpp"
+#include "engine/output/text_file.hpp"
+#include "engine/scene/nearest_name.hpp"
+#include "engine/scene/units.hpp"
+#include "validation/case_list.hpp"
+#include "validation/report.hpp"
+
+namespace scarp::validation {
+
+std::vector<const CaseRow*> select_cases(const std::vector<std::string>& names) {
+  std::vector<const CaseRow*> chosen;
+  for (const std::string& name : names) {
+    const bool set = name == "paper" || name == "verification" || name == "all";
+    bool known = set;
+    for (const CaseRow& row : case_list) {
+      if (row.name != name && !(set && (name == "all" || row.set == name))) continue;
+      known = true;
+      if (std::find(chosen.begin(), chosen.end(), &row) == chosen.end()) chosen.push_back(&row);
+    }
+    if (known) continue;
+    std::vector<std::string> all{"paper", "verification", "all"};
+    for (const CaseRow& row : case_list) all.emplace_back(row.name);
+    throw Error(
+        fmt::format("case '{}': there is no such case or set. {} ('scarp-validate list' "
+                    "shows all.)",
+                    name, did_you_mean(name, all)));
+  }
+  if (chosen.empty()) throw Error("there is no case in this set yet. Try 'scarp-validate list'.");
+  return chosen;
+}
+
+namespace {
+
+enum ExitCode { ok = 0, failed = 1, usage = 2 };
+
+struct Arguments {
+  std::vector<std::string> cases;
+  CaseOptions options;
+  bool short_form = false, full = false;
+  std::string spacing, json, precision = "double", report_folder;
+};
+
+nlohmann::ordered_json read_json(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  return nlohmann::ordered_json::parse(stream);
+}
+
+/// Runs one case to its verdict; whatever goes wrong in it is part of that verdict.
+bool run_case(const CaseRow& row, const CaseOptions& options) {
+  CaseRun run(std::string(row.name), options);
+  try {
+    row.function(run);
+  } catch (const Error& error) {
+    run.finish(nullptr, error.what());
+  }
+  fmt::print("{}", console_table(run.result()));
+  fmt::print("  {}\n", write_report(run.folder()));
+  std::fflush(stdout);
+  return passed(run.result());
+}
+
+int run_command(Arguments& arguments) {
+  const std::vector<const CaseRow*> rows = select_cases(arguments.cases);
+  CaseOptions& options = arguments.options;
+  options.form = arguments.short_form ? Form::short_form : arguments.full ? Form::full : Form::main;
+  if (!arguments.spacing.empty()) {
+    const bool bare = arguments.spacing.find_first_not_of("0123456789.+-eE") == std::string::npos;
+    options.spacing =
+        parse_quantity(bare ? arguments.spacing + " m" : arguments.spacing, kernels::Unit::length);
+  }
+  bool all_pass = true;
+  nlohmann::ordered_json results{{"format", "scarp validation"}, {"version", 1}};
+  results["cases"] = nlohmann::ordered_json::array();
+  for (const CaseRow* row : rows) {
+    all_pass &= run_case(*row, options);
+    results["cases"].push_back(read_json(options.out / row->name / "results.json"));
+  }
+  results["pass"] = all_pass;
+  if (arguments.json == "-") fmt::print("{}\n", results.dump(2));
+  if (!arguments.json.empty() && arguments.json != "-") {
+    replace_file(arguments.json, results.dump(2) + "\n");
+  }
+  return all_pass ? ok : failed;
+}
+
+/// Draws again the report of one case, or of every case in a folder.
+int report_command(const std::string& folder) {
+  std::vector<std::filesystem::path> folders;
+  if (std::filesystem::exists(std::filesystem::path(folder) / "results.json")) {
+    folders.emplace_back(folder);
+  } else {
+    for (const CaseRow& row : case_list) {
+      const std::filesystem::path inner = std::filesystem::path(folder) / row.name;
+      if (std::filesystem::exists(inner / "results.json")) folders.push_back(inner);
+    }
+  }
+  if (folders.empty()) {
+    throw FileError(fmt::format(
+        "'{}': no results.json in it or in a case's folder below it. Try the folder that "
+        "'scarp-validate run' printed.",
+        folder));
+  }
+  for (const auto& path : folders) fmt::print("{}\n", write_report(path));
+  return ok;
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app{"Runs scarp's validation cases and holds them against what is known"};
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 everything judged passes, 1 it does not, 2 bad usage.");
+  Arguments arguments;
+  CaseOptions& options = arguments.options;
+
+  CLI::App* list = app.add_subcommand("list", "The cases, one per line");
+
+  CLI::App* run = app.add_subcommand("run", "Run cases, or the sets paper, verification, all");
+  run->add_option("cases", arguments.cases, "Names of cases or sets")->required();
+  CLI::Option* short_flag = run->add_flag("--short", arguments.short_form, "Coarse and quick");
+  run->add_flag("--full", arguments.full, "Finer than the main form")->excludes(short_flag);
+  run->add_option("-o,--out", options.out, "Folder for the cases' folders; default out");
+  run->add_option("--threads", options.run.threads, "Threads; 0 takes what OpenMP offers")
+      ->check(CLI::Range(0, 4096));
+  run->add_option("--preset", options.preset, "Replace the scene's preset: modern, paper")
+      ->check(CLI::IsMember({"modern", "paper"}));
+  run->add_option("--precision", arguments.precision, "Arithmetic of the pair loop: double")
+      ->check(CLI::IsMember({"double"}));
+  run->add_option("--spacing", arguments.spacing, "Particle spacing, e.g. \"0.5 m\"");
+  run->add_option("--isa", options.run.isa, "Instruction set: sse2, avx2, avx512")
+      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+  run->add_option("--json", arguments.json, "Write all results here, - for standard output");
+  run->add_flag("-q,--quiet", options.quiet, "No progress");
+
+  CLI::App* report = app.add_subcommand("report", "Draw the report of finished cases again");
+  report->add_option("folder", arguments.report_folder, "Folder of a case, or of several")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? ok : usage;
+  }
+  if (*list) {
+    for (const CaseRow& row : case_list) fmt::print("{:<12} {}\n", row.name, row.sentence);
+    return ok;
+  }
+  return *run ? run_command(arguments) : report_command(arguments.report_folder);
+}
+
+}  // namespace
+}  // namespace scarp::validation
+
+int main(int argc, char** argv) {
+  try {
+    return scarp::validation::run_program(argc, argv);
+  } catch (const scarp::UnitError& error) {
+    fmt::print(stderr, "scarp-validate: --spacing: {}\n", error.what());
+    return scarp::validation::usage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "scarp-validate: {}\n", error.what());
+    return scarp::validation::failed;
+  }
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Figures and page of a case, drawn by `validation/report.py`.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace scarp::validation {
+
+/// Draws the report of a case's folder; returns a line for people: where it is, or why there is
+/// none. Never throws: a machine without Python still has its verdict.
+std::string write_report(const std::filesystem::path& folder);
+
+}  // namespace scarp::validation

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The state all benchmarks share: a free block of soil in compression on a jittered lattice.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "engine/state.hpp"
+
+namespace scarp::bench {
+
+struct BlockOptions {
+  int dimension = 3;
+  std::int64_t particles = 100'000;  ///< rounded to a full square or cube
+  Numerics numerics = preset("paper");
+  int threads = 1;
+  std::string isa;
+};
+
+inline Scene block_scene(const BlockOptions& options) {
+  Scene scene;
+  scene.title = "free block";
+  scene.dimension = options.dimension;
+  scene.spacing = 1.0;
+  scene.gravity = {};
+  scene.gravity[static_cast<std::size_t>(options.dimension - 1)] = -9.81;
+  scene.numerics = options.numerics;
+  scene.materials = {{"soil",
+                      "drucker_prager",
+                      2000.0,
+                      {100e6, 0.3, 10e3, 0.35, 0.15, options.dimension == 2 ? 0.0 : 1.0}}};
+  const double side =
+      std::round(std::pow(static_cast<double>(options.particles), 1.0 / options.dimension));
+  scene.bodies = {{0, Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};
+  scene.initial_stress = InitialStress::geostatic;
+  scene.stages.resize(1);
+  scene.stages[0].name = "bench";
+  scene.stages[0].duration = 1e9;
+  return scene;
+}
+
+/// Positions jittered by up to 0.1 dx and velocities of 0.1 m/s, both from the particle's id, so
+/// that every run sees the same block.
+inline State block_state(const BlockOptions& options) {
+  State state = make_state(block_scene(options), {options.threads, options.isa});
+  const auto noise = [](std::int64_t id, int axis) {
+    std::uint64_t x = static_cast<std::uint64_t>(id) * 3 + static_cast<std::uint64_t>(axis) + 1;
+    x *= 0x9e3779b97f4a7c15u;
+    x ^= x >> 31;
+    x *= 0xbf58476d1ce4e5b9u;
+    return static_cast<double>(x >> 11) * 0x1p-52 - 1.0;
+  };
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      const std::int64_t id = state.particles.ids()[static_cast<std::size_t>(k)];
+      for (int a = 0; a < options.dimension; ++a) {
+        state.particles.component(Field::position, a)[k] += 0.1 * noise(id, a);
+        state.particles.component(Field::velocity, a)[k] = 0.1 * noise(id, a + 7);
+      }
+    }
+  }
+  enter_stage(state, 0);
+  refresh_neighbours(state);
+  return state;
+}
+
+/// Ordered pairs of soil particles closer than the support, counted from the lists, the particle's
+/// own entry left out.
+inline std::int64_t true_pairs(State& state) {
+  const kernels::NeighbourView lists = state.lists.view();
+  const int size = state.kernels.table->cluster_size, dimension = state.scene.dimension;
+  const double support = 2.0;
+  std::int64_t pairs = 0;
+  for (std::int64_t cluster = 0; cluster < state.lists.clusters(); ++cluster) {
+    for (std::int64_t e = lists.soil_begin[cluster]; e < lists.wall_begin[cluster]; ++e) {
+      for (int l = 0; l < size; ++l) {
+        const std::int64_t i = cluster * size + l, j = lists.entries[e];
+        if (i == j || state.particles.ids()[static_cast<std::size_t>(i)] < 0) continue;
+        double square = 0.0;
+        for (int a = 0; a < dimension; ++a) {
+          const double d = state.records.record(i)[a] - state.records.record(j)[a];
+          square += d * d;
+        }
+        pairs += square < support * support;
+      }
+    }
+  }
+  return pairs;
+}
+
+}  // namespace scarp::bench

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Exit codes, messages and files of the program.
+
+Usage: cli_test.py PATH_OF_SCARP"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCARP = sys.argv.pop(1)
+
+SCENE = """title = "Block"
+dimension = 2
+gravity = [0.0, -9.81]
+spacing = 0.5
+[[material]]
+name = "rock"
+model = "linear_elastic"
+density = 2000.0
+youngs_modulus = "10 MPa"
+poisson_ratio = 0.3
+[[body]]
+material = "rock"
+polygon = [[0, 0], [4, 0], [4, 2], [0, 2]]
+[[wall]]
+name = "base"
+kind = "no_slip"
+line = [[-2, 0], [6, 0]]
+[[stage]]
+name = "short"
+duration = 0.04
+"""
+
+
+class CliTest(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+        (self.folder / "block.toml").write_text(SCENE)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def scarp(self, *arguments):
+        return subprocess.run([SCARP, *arguments], cwd=self.folder, capture_output=True, text=True,
+                              timeout=100, check=False)
+
+    def test_run_leaves_results_frames_and_tables(self):
+        done = self.scarp("run", "block.toml", "--threads", "1", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        out = self.folder / "out" / "block"
+        results = json.loads((out / "results.json").read_text())
+        self.assertEqual((results["particles"], results["threads"]), (32, 1))
+        for name in ("scene.toml", "history.csv", "walls.csv", "frames/soil.hdf.series", "frames/walls.hdf"):
+            self.assertTrue((out / name).exists(), name)
+
+    def test_spacing_preset_and_json_are_obeyed(self):
+        done = self.scarp("run", "block.toml", "-o", "fine", "--spacing", "25 cm", "--preset", "paper",
+                          "--json", "-", "--quiet")
+        results = json.loads(done.stdout)
+        self.assertEqual((results["particles"], results["spacing"], results["preset"]), (128, 0.25, "paper"))
+
+    def test_check_says_what_the_scene_is(self):
+        done = self.scarp("check", "block.toml", "--json", "check.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("32 soil", "plane strain", "rock", "short", "memory", "time step"):
+            self.assertIn(word, done.stdout)
+        numbers = json.loads((self.folder / "check.json").read_text())
+        self.assertEqual(numbers["particles"], 32)
+        self.assertGreater(numbers["expected_steps"], 0)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_errors_of_the_scene_exit_1_and_name_it(self):
+        (self.folder / "bad.toml").write_text(SCENE.replace("0.3", "0.7"))
+        for scene in ("missing.toml", "bad.toml"):
+            done = self.scarp("run", scene)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn(scene, done.stderr)
+
+    def test_bad_usage_exits_2(self):
+        for arguments in ([], ["run"], ["fly"], ["run", "block.toml", "--isa", "mmx"],
+                          ["run", "block.toml", "--spacing", "1 kg"], ["report", "nowhere"]):
+            self.assertEqual(self.scarp(*arguments).returncode, 2, arguments)
+
+    def test_help_and_version_exit_0(self):
+        for arguments in (["--help"], ["run", "--help"], ["--version"]):
+            self.assertEqual(self.scarp(*arguments).returncode, 0, arguments)
+
+    def test_report_draws_a_run(self):
+        self.scarp("run", "block.toml", "--quiet", "-o", "block")
+        done = self.scarp("report", "block")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("data:image/png", (self.folder / "block" / "report.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Cells and lists against brute force.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "engine/cells/cell_grid.hpp"
+#include "engine/neighbours/neighbour_lists.hpp"
+#include "engine/particles/particle_buffers.hpp"
+
+namespace scarp::test {
+namespace {
+
+struct Points {
+  AlignedVector<double> x, y, z;
+  PointSpan span() const { return {x.data(), y.data(), z.data()}; }
+};
+
+Points random_points(std::size_t count, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> place(0.0, 6.0);
+  Points p;
+  for (std::size_t k = 0; k < count; ++k) {
+    p.x.push_back(place(generator));
+    p.y.push_back(place(generator));
+    p.z.push_back(k % 97 == 0 ? 4000.0 + place(generator)
+                              : place(generator));  // a few strays far away
+  }
+  return p;
+}
+
+TEST(MortonTest, InterleavesBits) {
+  EXPECT_EQ(morton_key(1, 0, 0), 1u);
+  EXPECT_EQ(morton_key(0, 1, 0), 2u);
+  EXPECT_EQ(morton_key(0, 0, 1), 4u);
+  EXPECT_EQ(morton_key(0b11, 0b101, 0b001), 0b010'001'111u);  // x 011, y 101, z 001, x lowest
+  EXPECT_EQ(morton_key(0x1fffff, 0x1fffff, 0x1fffff), 0x7fffffffffffffffu);
+}
+
+TEST(CellGridTest, OrderIsAPermutationSortedByKey) {
+  const Points points = random_points(1000, 3);
+  CellGrid grid;
+  const SlotRange ranges[] = {{0, 600}, {608, 1000}};
+  grid.build(2, points.span(), ranges, 0.7);
+  std::vector<std::int32_t> order(grid.order().begin(), grid.order().end());
+  ASSERT_EQ(order.size(), 992u);
+  const auto key = [&](std::int32_t slot) {
+    const auto k = static_cast<std::size_t>(slot);
+    const CellIndex c = grid.cell_of(points.x[k], points.y[k], points.z[k]);
+    return morton_key(static_cast<std::uint32_t>(c[0]), static_cast<std::uint32_t>(c[1]),
+                      static_cast<std::uint32_t>(c[2]));
+  };
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (k != 600) {
+      EXPECT_LE(key(order[k - 1]), key(order[k]));
+    }
+  }
+  EXPECT_LT(*std::max_element(order.begin(), order.begin() + 600), 600);
+  EXPECT_EQ(std::set<std::int32_t>(order.begin(), order.end()).size(), 992u);
+}
+
+TEST(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
+  const Points soil = random_points(777, 5), walls = random_points(300, 6);
+  CellGrid soil_grid, wall_grid;
+  const SlotRange soil_ranges[] = {{0, 400}, {400, 777}};
+  const SlotRange wall_range{0, 300};
+  const double reach = 0.9;
+  soil_grid.build(1, soil.span(), soil_ranges, 0.5 * reach);
+  wall_grid.build(1, walls.span(), {&wall_range, 1}, 0.5 * reach);
+  for (const kernels::Isa isa : kernels::available_isas()) {
+    const kernels::KernelTable& table = kernels::kernels_of(isa);
+    NeighbourLists::Input input;
+    input.points = soil.span();
+    input.ranges = soil_ranges;
+    input.slots = 784;
+    input.soil = {&soil_grid, soil.span(), 0};
+    input.walls = {&wall_grid, walls.span(), 784};
+    input.far_record = 2000;
+    input.reach = reach;
+    NeighbourLists lists;
+    lists.build(2, table, input);
+    const kernels::NeighbourView view = lists.view();
+    for (std::int64_t i = 0; i < 777; ++i) {
+      const std::int64_t cluster = i / table.cluster_size;
+      const std::multiset<std::int32_t> near_soil(view.entries + view.soil_begin[cluster],
+                                                  view.entries + view.wall_begin[cluster]);
+      const std::multiset<std::int32_t> near_walls(view.entries + view.wall_begin[cluster],
+                                                   view.entries + view.end[cluster]);
+      EXPECT_EQ((view.wall_begin[cluster] - view.soil_begin[cluster]) % kernels::entry_block, 0);
+      EXPECT_EQ((view.end[cluster] - view.wall_begin[cluster]) % kernels::entry_block, 0);
+      const auto expect_listed = [&](const Points& others, std::int32_t count, std::int32_t first,
+                                     const std::multiset<std::int32_t>& listed) {
+        for (std::int32_t j = 0; j < count; ++j) {
+          const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+          const double d =
+              std::hypot(soil.x[a] - others.x[b], soil.y[a] - others.y[b], soil.z[a] - others.z[b]);
+          if (d <= reach) {
+            EXPECT_EQ(listed.count(first + j), 1u) << i << " " << j;
+          }
+        }
+      };
+      expect_listed(soil, 777, 0, near_soil);
+      expect_listed(walls, 300, 784, near_walls);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scarp::test

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Packs plain SI particles into the records and neighbour lists that the sweeps read, by brute
+/// force.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "engine/particles/aligned_vector.hpp"
+#include "kernels/pair/pair_sweep_reference.hpp"
+#include "kernels/pair/tension_factor_fit.hpp"
+#include "kernels/particle_view.hpp"
+#include "kernels/smoothing/list.hpp"
+
+namespace scarp::test {
+
+inline constexpr double far_position = 1e8;  ///< in units of h
+
+inline const kernels::SmoothingForm& form_of(kernels::ReferenceSmoothing smoothing) {
+  return kernels::smoothing_functions[static_cast<std::size_t>(smoothing)];
+}
+
+/// Coefficients as documented in particle_view.hpp; values in units of alpha_D / h^d.
+inline kernels::SmoothingView<double> smoothing_view(const kernels::SmoothingForm& form) {
+  kernels::SmoothingView<double> view{};
+  for (int k = 0; k < 3; ++k) {
+    view.derivative[k] = form.derivative(k);
+    view.value[k] = form.value[k];
+  }
+  view.derivative_inner = form.derivative(3);
+  view.value_inner = form.value_inner;
+  return view;
+}
+
+/// Owner of one neighbour list: every source within reach of any member of a cluster.
+struct PackedLists {
+  std::vector<std::int32_t> entries;
+  std::vector<std::int64_t> soil_begin, wall_begin, end;
+
+  kernels::NeighbourView view() const {
+    return {entries.data(), soil_begin.data(), wall_begin.data(), end.data()};
+  }
+  void pad(std::int32_t far_record) {
+    while (entries.size() % kernels::entry_block != 0) entries.push_back(far_record);
+  }
+};
+
+/// Records and lists for one cluster size. Slots: soil and its padding, dummies and theirs, mirror
+/// images, the far record.
+class PackedParticles {
+ public:
+  PackedParticles(const kernels::ReferenceParticles& particles,
+                  const kernels::ReferenceSettings& settings, int cluster_size)
+      : settings_(settings), cluster_size_(cluster_size) {
+    const auto padded = [&](std::size_t count) {
+      return (static_cast<std::int64_t>(count) + cluster_size - 1) / cluster_size * cluster_size;
+    };
+    soil_count_ = particles.soil_count;
+    wall_count_ = particles.wall_count;
+    first_wall_ = padded(soil_count_);
+    first_image_ = first_wall_ + padded(wall_count_);
+    far_record_ =
+        first_image_ + static_cast<std::int64_t>(particles.size() - soil_count_ - wall_count_);
+    pack_records(particles);
+    build_lists(particles);
+  }
+
+  std::int64_t soil_clusters() const { return first_wall_ / cluster_size_; }
+  std::int64_t wall_clusters() const { return (first_image_ - first_wall_) / cluster_size_; }
+  std::int64_t first_wall() const { return first_wall_; }
+  std::int64_t slots() const { return far_record_ + 1; }
+
+  /// View without outputs; without tension there is no artificial stress.
+  kernels::PairSweepView<double> sweep_view(bool with_tension) const {
+    kernels::PairSweepView<double> view{};
+    view.records = records_.data();
+    if (with_tension) {
+      view.tension_records = tension_records_.data();
+      view.tension = tension_.data();
+    }
+    view.wall_records = faces_.data();
+    view.first_wall = first_wall_;
+    view.neighbours = lists_.view();
+    view.smoothing_length = settings_.smoothing_length;
+    const kernels::SmoothingForm& form = form_of(settings_.smoothing);
+    view.constants.smoothing = smoothing_view(form);
+    view.constants.viscosity_alpha = settings_.viscosity_alpha;
+    view.constants.viscosity_beta = settings_.viscosity_beta;
+    for (int a = 0; a < 3; ++a) {
+      view.constants.gravity[a] =
+          settings_.gravity[static_cast<std::size_t>(a)] * settings_.smoothing_length;
+    }
+    kernels::fit_tension_factor(form, settings_.spacing / settings_.smoothing_length,
+                                settings_.tension_exponent, view.constants.tension_factor);
+    return view;
+  }
+  kernels::WallSweepView<double> wall_view() const {
+    kernels::WallSweepView<double> view{};
+    view.records = records_.data();
+    view.neighbours = wall_lists_.view();
+    view.smoothing = smoothing_view(form_of(settings_.smoothing));
+    for (int a = 0; a < 3; ++a) {
+      view.gravity[a] = settings_.gravity[static_cast<std::size_t>(a)] * settings_.smoothing_length;
+    }
+    view.first_wall = first_wall_;
+    return view;
+  }
+
+ private:
+  void pack_records(const kernels::ReferenceParticles& p) {
+    using namespace kernels;
+    const double h = settings_.smoothing_length;
+    const int dimension = settings_.dimension;
+    // normalisation = alpha_D h^d, so alpha_D / h^(d+1) of the documentation is this over h^(d+1).
+    const double gradient_factor = form_of(settings_.smoothing).normalisation(dimension) /
+                                   (std::pow(h, dimension + 1) * settings_.lattice_moment);
+    records_.assign(static_cast<std::size_t>(slots() * record_size), 0.0);
+    tension_records_.assign(static_cast<std::size_t>(slots() * tension_record_size), 0.0);
+    tension_.assign(static_cast<std::size_t>(slots()), 0);
+    faces_.assign(static_cast<std::size_t>((slots() - first_wall_) * wall_record_size), 0.0);
+    for (std::int64_t slot = 0; slot < slots(); ++slot) {
+      records_[static_cast<std::size_t>(slot * record_size + record_x)] = far_position;
+      records_[static_cast<std::size_t>(slot * record_size + record_density)] = 1.0;
+      if (slot >= first_wall_) {
+        faces_[static_cast<std::size_t>((slot - first_wall_) * wall_record_size + wall_distance)] =
+            1.0;
+      }
+    }
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      double* r = records_.data() + slot_of(k) * record_size;
+      for (std::size_t a = 0; a < 3; ++a) {
+        r[record_x + a] = p.position[k][a] / h;
+        r[record_velocity_x + a] = p.velocity[k][a];
+      }
+      r[record_volume] = p.volume[k] * gradient_factor;
+      r[record_density] = p.density[k];
+      r[record_sound_speed] = p.sound_speed[k];
+      r[record_diffusivity] = p.diffusivity[k] / h;
+      double* t = tension_records_.data() + slot_of(k) * tension_record_size;
+      for (std::size_t c = 0; c < 6; ++c) {
+        r[record_stress + c] = p.stress[k][c];
+        t[c] = p.density[k] * p.artificial_stress[k][c];
+        if (t[c] != 0.0) tension_[static_cast<std::size_t>(slot_of(k))] = 1;
+      }
+      if (p.is_wall(k)) {
+        double* w = faces_.data() + (slot_of(k) - first_wall_) * wall_record_size;
+        for (std::size_t a = 0; a < 3; ++a) w[wall_normal_x + a] = p.face[k].normal[a];
+        w[wall_distance] = p.face[k].distance / h;
+      }
+    }
+  }
+
+  void build_lists(const kernels::ReferenceParticles& p) {
+    const auto far_entry = static_cast<std::int32_t>(far_record_);
+    const auto append = [&](PackedLists& lists, std::size_t first, std::size_t count, bool walls) {
+      for (std::size_t j = 0; j < p.size(); ++j) {
+        if (p.is_wall(j) != walls) continue;
+        bool near = false;
+        for (std::size_t i = first; i < first + count; ++i) {
+          double squared = 0.0;
+          for (std::size_t a = 0; a < 3; ++a) {
+            squared +=
+                (p.position[i][a] - p.position[j][a]) * (p.position[i][a] - p.position[j][a]);
+          }
+          // A little more than the support: a skin, which must change nothing.
+          near |= squared < std::pow(2.05 * settings_.smoothing_length, 2);
+        }
+        if (near) lists.entries.push_back(static_cast<std::int32_t>(slot_of(j)));
+      }
+      lists.pad(far_entry);
+    };
+    const auto size = static_cast<std::size_t>(cluster_size_);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(first_wall_); i += size) {
+      const std::size_t count = std::min(size, soil_count_ - i);
+      lists_.soil_begin.push_back(std::ssize(lists_.entries));
+      append(lists_, i, count, false);
+      lists_.wall_begin.push_back(std::ssize(lists_.entries));
+      append(lists_, i, count, true);
+      lists_.end.push_back(std::ssize(lists_.entries));
+    }
+    for (std::size_t i = 0; i < wall_count_; i += size) {
+      wall_lists_.soil_begin.push_back(std::ssize(wall_lists_.entries));
+      append(wall_lists_, soil_count_ + i, std::min(size, wall_count_ - i), false);
+      wall_lists_.wall_begin.push_back(std::ssize(wall_lists_.entries));
+      wall_lists_.end.push_back(std::ssize(wall_lists_.entries));
+    }
+    for (PackedLists* lists : {&lists_, &wall_lists_}) {
+      for (int k = 0; k < 2 * kernels::entry_block; ++k) lists->entries.push_back(far_entry);
+    }
+  }
+
+  std::int64_t slot_of(std::size_t k) const {
+    if (k < soil_count_) return static_cast<std::int64_t>(k);
+    if (k < soil_count_ + wall_count_)
+      return first_wall_ + static_cast<std::int64_t>(k - soil_count_);
+    return first_image_ + static_cast<std::int64_t>(k - soil_count_ - wall_count_);
+  }
+
+  kernels::ReferenceSettings settings_;
+  int cluster_size_;
+  std::size_t soil_count_ = 0, wall_count_ = 0;
+  std::int64_t first_wall_ = 0, first_image_ = 0, far_record_ = 0;
+  AlignedVector<double> records_, tension_records_, faces_;
+  std::vector<std::uint8_t> tension_;
+  PackedLists lists_, wall_lists_;
+};
+
+/// Output arrays of a sweep over soil clusters, filled with NaN, and their hooks in a view.
+struct SweepOutput {
+  static constexpr int hooks = 27;
+  AlignedVector<double> values;
+  std::size_t slots;
+
+  explicit SweepOutput(std::int64_t count)
+      : values(static_cast<std::size_t>(count) * hooks, std::numeric_limits<double>::quiet_NaN()),
+        slots(static_cast<std::size_t>(count)) {}
+
+  double* field(int index) { return values.data() + static_cast<std::size_t>(index) * slots; }
+  /// The pointer number `index` of a view, in the order of their declaration.
+  static double*& hook(kernels::PairSweepView<double>& view, int index) {
+    if (index == 0) return view.density_rate;
+    if (index < 10) return view.velocity_gradient[index - 1];
+    if (index < 16) return view.moment[index - 10];
+    if (index < 19) return view.acceleration[index - 16];
+    if (index == 19) return view.approach_rate;
+    if (index < 26) return view.diffusion_rate[index - 20];
+    return view.diffusion_slope;
+  }
+  void attach(kernels::PairSweepView<double>& view) {
+    for (int k = 0; k < hooks; ++k) hook(view, k) = field(k);
+  }
+};
+
+}  // namespace scarp::test

@@ -136,6 +136,10 @@ void fill_particles(State& state, const SoilPoints& soil) {
           const double along = weight > 0.0 ? g[static_cast<std::size_t>(c)] / weight : 0.0;
           p.component(Field::stress, c)[slot] = vertical * (k0 + (1.0 - k0) * along * along);
         }
+      } else if (scene.initial_stress == InitialStress::uniform) {
+        for (int c = 0; c < (dimension == 2 ? 4 : 6); ++c) {
+          p.component(Field::stress, c)[slot] = scene.uniform_stress[static_cast<std::size_t>(c)];
+        }
       }
       ++slot;
     }

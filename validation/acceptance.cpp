@@ -60,6 +60,20 @@ Measure holds(std::string name, bool truth, std::string source) {
   return within(std::move(name), truth ? 1.0 : 0.0, "", 1.0, 1.0, 1.0, std::move(source));
 }
 
+double observed_order(const std::vector<ErrorAtSpacing>& errors) {
+  double count = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const ErrorAtSpacing& at : errors) {
+    if (!(std::fabs(at.error) > 0.0)) continue;
+    const double u = std::log(at.spacing), v = std::log(std::fabs(at.error));
+    count += 1.0;
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+  }
+  return count < 2.0 ? std::nan("") : (count * xy - x * y) / (count * xx - x * x);
+}
+
 bool passed(const CaseResult& result) {
   const auto judged = [](const Measure& measure) { return measure.pass.has_value(); };
   return result.failure.empty() &&
@@ -89,6 +103,18 @@ void write_case_results(const std::filesystem::path& path, const Simulation* sim
                             {"steps", run.steps},
                             {"simulated_s", run.simulated_s},
                             {"wall_s", run.wall_s}});
+  }
+  json["convergence"] = Json::array();
+  for (const ConvergenceSeries& series : result.convergence) {
+    Json one{{"quantity", series.quantity},
+             {"order", series.order},
+             {"spacing", Json::array()},
+             {"error", Json::array()}};
+    for (const ErrorAtSpacing& at : series.errors) {
+      one["spacing"].push_back(at.spacing);
+      one["error"].push_back(at.error);
+    }
+    json["convergence"].push_back(std::move(one));
   }
   json["case"] = result.case_name;
   json["form"] = result.form;

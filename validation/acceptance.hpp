@@ -31,12 +31,29 @@ struct RunCost {
   double wall_s = 0.0;
 };
 
+struct ErrorAtSpacing {
+  double spacing = 0.0;  ///< [m]
+  double error = 0.0;
+};
+
+/// How an error falls with the spacing.
+struct ConvergenceSeries {
+  std::string quantity;
+  std::vector<ErrorAtSpacing> errors;  ///< coarse to fine
+  double order = 0.0;                  ///< observed, see `observed_order`; NaN for one spacing
+};
+
+/// Slope of log |error| over log spacing by least squares; NaN if fewer than two errors are above
+/// 0.
+double observed_order(const std::vector<ErrorAtSpacing>& errors);
+
 struct CaseResult {
   std::string case_name;
   std::string form;  ///< "short", "main" or "full"
   std::vector<Measure> measures;
   std::vector<StageResult> stages;
   std::vector<RunCost> runs;
+  std::vector<ConvergenceSeries> convergence;
   double wall_s = 0.0;  ///< of the whole case [s]
   std::string failure;  ///< why the case did not reach its end; empty if it did
 };

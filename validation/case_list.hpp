@@ -14,6 +14,16 @@ namespace scarp::validation {
 /// A case adds its measures and ends with `CaseRun::finish`. Errors: those of the library.
 using CaseFunction = void (*)(CaseRun&);
 
+/// A scalar error of a case, for `scarp-validate error-time` to sweep.
+struct ErrorProblem {
+  std::string_view error;          ///< what it is, in words
+  std::array<double, 4> spacings;  ///< coarse to fine [m]
+  /// Runs the scene to its end and returns the relative error. Errors: those of the library.
+  double (*outcome)(CaseRun& run, const Scene& scene);
+  /// The outcome is a value to be held against the finest run's, not an error.
+  bool against_finest = false;
+};
+
 void slope_2d(CaseRun& run);
 void cuboid_3d(CaseRun& run);
 
@@ -22,13 +32,14 @@ struct CaseRow {
   std::string_view set;  ///< "paper" or "verification"
   std::string_view sentence;
   CaseFunction function;
+  const ErrorProblem* problem = nullptr;  ///< null: no scalar error is swept
 };
 
-inline constexpr std::array<CaseRow, 2> case_list{{
+inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"slope_2d", "paper", "Cohesive slope in plane strain, strength cut by 1.4 (sample 1).",
      slope_2d},
     {"cuboid_3d", "paper", "Collapse of a granular cuboid behind a gate (sample 2).", cuboid_3d},
-}};
+});
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.
 /// Errors: Error naming what exists.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <system_error>
@@ -52,9 +53,34 @@ Scene CaseRun::scene(const Spacings& spacings) const {
   const double own = options_.form == Form::short_form ? spacings.short_form
                      : options_.form == Form::main     ? spacings.main
                                                        : spacings.full;
+  return scene_at(options_.spacing > 0.0 ? options_.spacing : own, options_.preset);
+}
+
+Scene CaseRun::scene_at(double spacing, const std::string& preset) const {
   const std::filesystem::path file =
       data_folder() / "cases" / result_.case_name / (result_.case_name + ".toml");
-  return read_scene(file, {options_.preset, options_.spacing > 0.0 ? options_.spacing : own});
+  return read_scene(file, {preset, spacing});
+}
+
+std::vector<std::string> CaseRun::presets() const {
+  if (!options_.preset.empty()) return {options_.preset};
+  return {"modern", "paper"};
+}
+
+std::vector<double> CaseRun::spacings(const std::vector<double>& coarse_to_fine) const {
+  if (options_.spacing > 0.0) return {options_.spacing};
+  const std::size_t most = options_.form == Form::short_form ? 1
+                           : options_.form == Form::main     ? 2
+                                                             : coarse_to_fine.size();
+  return {coarse_to_fine.begin(), coarse_to_fine.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                               most, coarse_to_fine.size()))};
+}
+
+Simulation CaseRun::solve(const std::string& name, const Scene& scene,
+                          const std::function<void(const Simulation&)>& each_step) {
+  Simulation simulation(scene, options_.run);
+  while (!simulation.finished()) run_stage(name, simulation, nullptr, each_step);
+  return simulation;
 }
 
 void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWriter* writer,

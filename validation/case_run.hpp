@@ -40,12 +40,29 @@ class CaseRun {
   /// `validation/cases/<case>/<case>.toml` with the options applied. Errors: FileError, SceneError.
   Scene scene(const Spacings& spacings) const;
 
+  /// The same at a spacing and preset of the case's choice; `--preset` and `--spacing` do not
+  /// matter here. Errors: FileError, SceneError.
+  Scene scene_at(double spacing, const std::string& preset) const;
+
+  /// Both presets, or the one asked for.
+  std::vector<std::string> presets() const;
+
+  /// The spacings of the form, coarse to fine; the one asked for if `--spacing` is given. The main
+  /// form takes the first two, the short form the first, the full form all.
+  std::vector<double> spacings(const std::vector<double>& coarse_to_fine) const;
+
+  /// A simulation of the scene run through all its stages, its cost booked under `name`. Errors:
+  /// SceneError, SimulationInstability, FileError.
+  Simulation solve(const std::string& name, const Scene& scene,
+                   const std::function<void(const Simulation&)>& each_step = {});
+
   /// Steps until the present stage ends, the steps' cost booked under `name`; `writer` may be null.
   /// Errors: SimulationInstability, FileError.
   void run_stage(const std::string& name, Simulation& simulation, RunWriter* writer = nullptr,
                  const std::function<void(const Simulation&)>& each_step = {});
 
   void add(Measure measure) { result_.measures.push_back(std::move(measure)); }
+  void add(ConvergenceSeries series) { result_.convergence.push_back(std::move(series)); }
   const CaseOptions& options() const { return options_; }
   bool short_form() const { return options_.form == Form::short_form; }
   const std::filesystem::path& folder() const { return folder_; }

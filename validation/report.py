@@ -2,87 +2,52 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws a validation case: `report.py DIR` makes DIR/report.html and DIR/figures from what the case left."""
 
-import json
+import importlib.util
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "engine" / "report"))
+_here = pathlib.Path(__file__).resolve().parent
+for _place in (_here.parent / "engine" / "report", _here.parent / "report"):  # in the sources, or installed
+    if _place.exists():
+        sys.path.insert(0, str(_place))
 import scarp_report as scarp  # noqa: E402
 import numpy as np  # noqa: E402
 
 plt = scarp.plt
-CIRCLE = dict(color="#0072b2", linewidth=1.4, linestyle=(0, (6, 2)))
 
 
-def frames_of(folder, event):
-    """The frames written at the end of a stage, in order; `event` as in the frames' attribute."""
-    infos = [scarp.frame_info(path) for path, _ in scarp.read_series(folder) if path.exists()]
-    return [info for info in infos if info["event"] == event]
+def case_figures(name):
+    """`draw(page, folder, figures)` of validation/cases/<name>/figures.py, or None."""
+    path = pathlib.Path(__file__).resolve().parent / "cases" / name / "figures.py"
+    if not path.exists():
+        return None
+    spec = importlib.util.spec_from_file_location(f"figures_{name}", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.draw
 
 
-def arc(bishop):
-    """The critical circle below the ground line, (n, 2)."""
-    circle = bishop["circle"]
-    angles = [np.arctan2(p[0] - circle["x"], circle["y"] - p[1]) for p in (bishop["entry"], bishop["exit"])]
-    along = np.linspace(*angles, 200)
-    return np.column_stack([circle["x"] + circle["radius"] * np.sin(along),
-                            circle["y"] - circle["radius"] * np.cos(along)])
-
-
-def slope_figures(page, folder, figures):
-    bishop = json.loads((folder / "bishop.json").read_text(encoding="utf-8"))
-    shown, (first, _) = frames_of(folder, "last") + frames_of(folder, "stage_end"), scarp.read_series(folder)[0]
-    if shown:
-        last = scarp.load_frame(max(shown, key=lambda info: info["time"])["path"])
-        figure, ax = plt.subplots(figsize=(9.0, 3.9))
-        scarp.draw_particles_2d(ax, last, "accumulated_plastic_strain", initial=scarp.load_frame(first))
-        ax.plot(*arc(bishop).T, label=f"Bishop's circle, F = {bishop['factor_of_safety']:.3f}", **CIRCLE)
-        band = scarp.read_table(folder / "slip_band.csv")
-        if band:
-            ax.plot(band[0]["x"], band[0]["y"], "o", color="#009e73", markersize=4, markerfacecolor="none",
-                    label="slip band, in the undeformed slope")
-        ax.legend(loc="upper right", fontsize=8)
-        page.figure(figure, "Strength cut by 1.4, end of the slide. Shading: accumulated plastic strain; red dashes: "
-                    "ground before; blue dashes: Bishop's circle; rings: where the slip band was found, moved back "
-                    "to where its soil lay before the slide, as Bishop's circle is.",
-                    figures / "slip_and_circle.png")
-    curve = scarp.read_table(folder / "displacement_srf.csv")
-    if curve:
-        columns = curve[0]
-        figure, ax = plt.subplots(figsize=(6.2, 3.2))
-        ax.semilogy(columns["SRF"], np.maximum(columns["crest_displacement"], 1e-5), "o-", color="#333333")
-        ax.axhline(0.1, color="#d62728", linewidth=0.9, linestyle="--", label="failure: 1 % of the height")
-        ax.axvline(bishop["factor_of_safety"], **CIRCLE, label="FOS by Bishop")
-        ax.set_xlabel("strength reduction factor [-]")
-        ax.set_ylabel("crest displacement [m]")
-        ax.grid(alpha=0.25, linewidth=0.5)
-        ax.legend(fontsize=8)
-        page.figure(figure, "Displacement of the crest 4 s after the strength was cut, from one settled slope.",
-                    figures / "displacement_srf.png")
-
-
-def cuboid_figures(page, folder, figures):
-    shown, series = frames_of(folder, "last") + frames_of(folder, "stage_end"), scarp.read_series(folder)
-    if not shown or not series:
+def convergence_figure(page, results, figures):
+    """Error against spacing, one line for each series, with slopes of first and second order."""
+    series = [one for one in results.get("convergence", []) if len(one["spacing"]) > 1]
+    if not series:
         return
-    last = scarp.load_frame(max(shown, key=lambda info: info["time"])["path"])
-    first = scarp.load_frame(series[0][0])
-    start = scarp.section(first)
-    cut = scarp.section(last)
-    figure, ax = plt.subplots(figsize=(9.0, 3.0))
-    scarp.draw_particles_2d(ax, cut, "displacement", initial=start, axes=(0, 2))
-    for factor, name in ((1.2, "Lube 2005"), (1.8, "Lajeunesse 2005")):
-        ax.axvline(0.3 + factor * 0.144, color="#0072b2", linewidth=0.9, linestyle=":" if factor < 1.5 else "--",
-                   label=f"planar front, {name}")
-    ax.legend(loc="upper right", fontsize=8)
-    page.figure(figure, "Middle section at the end. Red dashes: the soil before the gate went; blue: fronts of planar "
-                "columns in experiments, without spreading to the sides.", figures / "middle_section.png")
-    figure, ax = plt.subplots(figsize=(9.0, 4.6))
-    scarp.draw_plan(ax, last)
-    page.figure(figure, "Elevation from above at the end.", figures / "plan.png")
-
-
-CASE_FIGURES = {"slope_2d": slope_figures, "cuboid_3d": cuboid_figures}
+    figure, ax = plt.subplots(figsize=(6.6, 3.6))
+    for one in series:
+        order = one.get("order")
+        ax.loglog(one["spacing"], np.abs(np.array(one["error"], dtype=float)), "o-",
+                  label=one["quantity"] + (f" (order {order:.2f})" if order is not None else ""))
+    coarse = max(max(one["spacing"]) for one in series)
+    fine = min(min(one["spacing"]) for one in series)
+    top = max(np.nanmax(np.abs(np.array(one["error"], dtype=float))) for one in series)
+    for slope, style in ((1, ":"), (2, "--")):
+        ax.loglog([fine, coarse], [top * (fine / coarse) ** slope, top], style, color="#999999", linewidth=0.8,
+                  label=f"order {slope}")
+    ax.set_xlabel("particle spacing dx [m]")
+    ax.set_ylabel("|error| [-]")
+    ax.grid(alpha=0.25, linewidth=0.5, which="both")
+    ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8)
+    page.figure(figure, "Error against spacing.", figures / "convergence.png")
 
 
 def cost_section(page, results):
@@ -101,9 +66,10 @@ def report(folder):
                       f"preset {results.get('preset', '?')}")
     page.text(scarp.badge(scarp.verdict_of(results)))
     scarp.verdict_section(page, results)
-    draw = CASE_FIGURES.get(results.get("case"))
-    if draw and scarp.read_series(folder):
+    draw = case_figures(results.get("case", folder.name))
+    if draw:
         draw(page, folder, figures)
+    convergence_figure(page, results, figures)
     page.section("Cost")
     cost_section(page, results)
     page.section("Run")

@@ -12,6 +12,7 @@
 #include "engine/errors.hpp"
 #include "engine/particles/particle_limit.hpp"
 #include "engine/particles/shapes.hpp"
+#include "engine/scene/expression.hpp"
 
 namespace scarp {
 namespace {
@@ -127,6 +128,9 @@ class LatticeFill {
   void add(std::size_t body, SoilPoints& soil) {
     const ColumnShape& shape = shapes_[body];
     const std::size_t before = soil.position.size();
+    const Body& made_of = scene_.bodies[body];
+    std::vector<Expression> velocity;
+    for (const std::string& text : made_of.velocity_field) velocity.emplace_back(text, "xyz");
     for_each_column(shape, [&](double x, double y) {
       column_sites(shape, x, y, sites_);
       for (std::size_t earlier = 0; earlier < body; ++earlier) {
@@ -137,8 +141,11 @@ class LatticeFill {
           Vec3 position{x, y, 0.0};
           position[up_] = lattice_.at(up_, k);
           soil.position.push_back(position);
-          soil.material.push_back(scene_.bodies[body].material);
-          soil.velocity.push_back(scene_.bodies[body].velocity);
+          soil.material.push_back(made_of.material);
+          soil.velocity.push_back(made_of.velocity);
+          for (std::size_t a = 0; a < velocity.size(); ++a) {
+            soil.velocity.back()[a] = finite_velocity(velocity[a], position, shape.label);
+          }
         }
       }
       return true;
@@ -148,6 +155,16 @@ class LatticeFill {
         fmt::format("{}: lies wholly inside bodies before it, to which a shared particle belongs. "
                     "Try to list it before them, or to leave it out.",
                     shape.label));
+  }
+
+  static double finite_velocity(const Expression& velocity, const Vec3& position,
+                                const std::string& label) {
+    const double value = velocity(position);
+    if (std::isfinite(value)) return value;
+    throw SceneError(fmt::format(
+        "{}: its velocity_field is not finite at x = {}, y = {}, z = {}. Try one that is finite in "
+        "the whole body.",
+        label, position[0], position[1], position[2]));
   }
 
   bool covers(const ColumnShape& shape, double x, double y) const {

@@ -3,13 +3,13 @@
 #include "engine/particles/shapes.hpp"
 
 #include <fmt/format.h>
-#include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "engine/errors.hpp"
+#include "engine/scene/expression.hpp"
 
 namespace scarp {
 namespace {
@@ -72,39 +72,26 @@ double profile_height(const std::vector<std::array<double, 2>>& profile, double 
   return low + (high - low) * (distance - a) / (b - a);
 }
 
-struct Expression {
-  double x = 0.0, y = 0.0;
-  mu::Parser parser;
-};
-
 using HeightFunction = std::function<double(double, double)>;
 
 HeightFunction expression_height(const std::string& text, const std::string& label) {
-  const auto expression = std::make_shared<Expression>();
-  const auto fail = [label, text](const mu::Parser::exception_type& error) {
-    throw SceneError(
-        fmt::format("{}: expression \"{}\" at letter {}: {} Try an expression of x and y.", label,
-                    text, error.GetPos() + 1, error.GetMsg()));
-  };
-  const auto evaluate = [expression, fail](double x, double y) {
-    expression->x = x;
-    expression->y = y;
-    try {
-      return expression->parser.Eval();
-    } catch (const mu::Parser::exception_type& error) {
-      fail(error);
-    }
-    return 0.0;
+  const auto fail = [label, text](const ExpressionError& error) {
+    throw SceneError(fmt::format("{}: expression \"{}\" {} Try an expression of x and y.", label,
+                                 text, error.what()));
   };
   try {
-    expression->parser.DefineVar("x", &expression->x);
-    expression->parser.DefineVar("y", &expression->y);
-    expression->parser.SetExpr(text);
-  } catch (const mu::Parser::exception_type& error) {
+    return [expression = Expression(text, "xy"), fail](double x, double y) {
+      try {
+        return expression({x, y, 0.0});
+      } catch (const ExpressionError& error) {
+        fail(error);
+      }
+      return 0.0;
+    };
+  } catch (const ExpressionError& error) {
     fail(error);
   }
-  evaluate(0.0, 0.0);  // muParser compiles at the first evaluation
-  return evaluate;
+  return {};
 }
 
 HeightFunction height_function(const HeightField& field, const std::string& label) {

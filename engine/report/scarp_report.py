@@ -43,6 +43,12 @@ def shown_frames(folder, most=6):
     return infos[0], ends[-most:]
 
 
+def frames_of(folder, event):
+    """The frames written at the end of a stage, in order; `event` as in the frames' attribute."""
+    infos = [frame_info(path) for path, _ in read_series(folder) if path.exists()]
+    return [info for info in infos if info["event"] == event]
+
+
 def particle_figures(page, folder, figures):
     first, ends = shown_frames(folder)
     if first is None:

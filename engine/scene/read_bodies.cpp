@@ -99,8 +99,8 @@ HeightField read_height_field(const Value& value, int dimension) {
 
 Body read_body(const Value& item, int dimension, const std::vector<Material>& materials) {
   const Keys shapes = {"polygon", "box", "cylinder", "height_field"};
-  const Table table =
-      item.table({"material", "polygon", "extrude", "box", "cylinder", "height_field", "velocity"});
+  const Table table = item.table({"material", "polygon", "extrude", "box", "cylinder",
+                                  "height_field", "velocity", "velocity_field"});
   Body body;
   const Value material = table.require("material", "\"clay\"");
   const std::string name = material.text();
@@ -122,6 +122,12 @@ Body read_body(const Value& item, int dimension, const std::vector<Material>& ma
   if (shape == "height_field") body.shape = read_height_field(value, dimension);
   if (const auto velocity = table.find("velocity")) {
     body.velocity = read_vector(*velocity, Unit::velocity, dimension);
+  }
+  if (const auto field = table.find("velocity_field")) {
+    if (table.find("velocity")) {
+      field->fail("the body also has a velocity. Try only one of the two.");
+    }
+    for (const Value& direction : field->items()) body.velocity_field.push_back(direction.text());
   }
   return body;
 }

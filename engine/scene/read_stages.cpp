@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The course of a run: [initial], [[stage]], [[probe]], [output].
+#include <algorithm>
+
 #include "engine/scene/read_parts.hpp"
 
 namespace scarp::input {
@@ -51,11 +53,22 @@ Stage read_stage(const Value& item, bool last) {
 }  // namespace
 
 void read_initial(const Value& section, Scene& scene) {
-  const Table table = section.table({"stress", "k0"});
-  const Value stress = table.require("stress", "\"geostatic\" or \"zero\"");
-  scene.initial_stress = static_cast<InitialStress>(stress.choice("zero|geostatic"));
+  const Table table = section.table({"stress", "k0", "uniform"});
+  const Value stress = table.require("stress", "\"geostatic\", \"uniform\" or \"zero\"");
+  scene.initial_stress = static_cast<InitialStress>(stress.choice("zero|geostatic|uniform"));
+  if (scene.initial_stress == InitialStress::uniform) {
+    // Order xx, yy, zz, xy, yz, zx; the last two are zero in plane strain.
+    const std::size_t count = scene.dimension == 2 ? 4 : 6;
+    const auto values = table
+                            .require("uniform", count == 4 ? "[\"-10 kPa\", \"-10 kPa\", 0, 0]"
+                                                           : "[\"-10 kPa\", 0, 0, 0, 0, 0]")
+                            .numbers(Unit::pressure, count);
+    std::copy(values.begin(), values.end(), scene.uniform_stress.begin());
+  } else if (const auto uniform = table.find("uniform")) {
+    uniform->fail("it needs stress = \"uniform\". Try without it.");
+  }
   if (const auto k0 = table.find("k0")) {
-    if (scene.initial_stress == InitialStress::zero) {
+    if (scene.initial_stress != InitialStress::geostatic) {
       k0->fail("it needs stress = \"geostatic\". Try without it.");
     }
     scene.initial_k0 = k0->number(Unit::none);

@@ -22,7 +22,7 @@ enum class Plasticity { return_mapping, rate, rate_corrected };
 enum class Integrator { verlet, kick_drift_kick };
 enum class WallKind { no_slip, free_slip };
 enum class StageEnd { duration, rest };
-enum class InitialStress { zero, geostatic };
+enum class InitialStress { zero, geostatic, uniform };
 
 /// One row per line of the presets' table (`engine/scene/SCENE.md`); `preset()` fills them.
 struct Numerics {
@@ -87,6 +87,9 @@ struct Body {
   std::size_t material = 0;  ///< index into `materials`
   std::variant<Polygon, Box, Cylinder, HeightField> shape;
   Vec3 velocity{};  ///< initial velocity [m/s]
+  /// Initial velocity by place instead: one muParser expression of x, y, z [m] for each direction
+  /// [m/s]; empty: `velocity`.
+  std::vector<std::string> velocity_field{};
 };
 
 /// A flat piece of wall: `origin` + s `tangent_u` + t `tangent_v`, 0 <= s <= `length_u`, 0 <= t <=
@@ -144,7 +147,8 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Wall> walls;
   InitialStress initial_stress = InitialStress::zero;
-  double initial_k0 = -1.0;  ///< horizontal over vertical stress; negative: nu/(1-nu)
+  double initial_k0 = -1.0;                ///< horizontal over vertical stress; negative: nu/(1-nu)
+  std::array<double, 6> uniform_stress{};  ///< xx, yy, zz, xy, yz, zx for `uniform` [Pa]
   std::vector<Stage> stages;
   std::vector<Probe> probes;
   Output output;

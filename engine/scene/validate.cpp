@@ -115,7 +115,8 @@ void check_stage_name(const Scene& scene, const std::string& name, const std::st
 }
 
 void check_initial(const Scene& scene) {
-  if (scene.initial_stress == InitialStress::zero) return;
+  for (const double value : scene.uniform_stress) inside(value, -1e15, 1e15, "initial.uniform");
+  if (scene.initial_stress != InitialStress::geostatic) return;
   int along = 0;
   for (const double g : scene.gravity) along += g != 0.0;
   rule(along == 1, "initial.stress", "\"geostatic\"",

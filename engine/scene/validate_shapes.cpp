@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Rules about the shapes of bodies and walls.
 #include <fmt/format.h>
-#include <muParser.h>
 
 #include <cmath>
 
+#include "engine/scene/expression.hpp"
 #include "engine/scene/scene_problem.hpp"
 #include "engine/scene/validate_parts.hpp"
 
@@ -64,30 +64,35 @@ void shape(const Cylinder& cylinder, int dimension, const std::string& path) {
   if (dimension == 3) inside(cylinder.height, 1e-9, largest_length, key + ".height");
 }
 
-void expression(const HeightField& field, const std::string& key) {
-  rule(!field.expression.empty() && field.expression.size() <= 1000, key,
-       fmt::format("{} letters", field.expression.size()),
+/// Can be read, and is finite at `places`; values elsewhere are checked where they are used.
+void formula(const std::string& text, const std::string& variables, const std::vector<Vec3>& places,
+             const std::string& key) {
+  rule(!text.empty() && text.size() <= 1000, key, fmt::format("{} letters", text.size()),
        "an expression has 1 to 1000 letters. Try a shorter one.");
-  // The corners are enough to find a wrong word; heights elsewhere are checked where they are used.
-  for (const double x0 : {field.plan_minimum[0], field.plan_maximum[0]}) {
-    for (const double y0 : {field.plan_minimum[1], field.plan_maximum[1]}) {
-      double x = x0, y = y0, height = 0.0;
-      try {
-        mu::Parser parser;
-        parser.DefineVar("x", &x);
-        parser.DefineVar("y", &y);
-        parser.SetExpr(field.expression);
-        height = parser.Eval();
-      } catch (const mu::Parser::exception_type& error) {
-        throw SceneProblem(key, '"' + field.expression + '"',
-                           fmt::format("{} Try an expression of x and y.", error.GetMsg()));
-      }
-      rule(std::isfinite(height), key, '"' + field.expression + '"',
+  try {
+    const Expression value(text, variables);
+    for (const Vec3& place : places) {
+      rule(std::isfinite(value(place)), key, '"' + text + '"',
            fmt::format("the height at x = {}, y = {} is not finite. Try one that is finite on the "
                        "whole plan.",
-                       x0, y0));
+                       place[0], place[1]));
+    }
+  } catch (const ExpressionError& error) {
+    throw SceneProblem(
+        key, '"' + text + '"',
+        fmt::format("{} Try an expression of {}.", error.what(),
+                    variables == "xy" ? "x and y" : "x, y and z in metres, such as \"-2*y\""));
+  }
+}
+
+void expression(const HeightField& field, const std::string& key) {
+  std::vector<Vec3> corners;
+  for (const double x : {field.plan_minimum[0], field.plan_maximum[0]}) {
+    for (const double y : {field.plan_minimum[1], field.plan_maximum[1]}) {
+      corners.push_back({x, y, 0.0});
     }
   }
+  formula(field.expression, "xy", corners, key);
 }
 
 void shape(const HeightField& field, int dimension, const std::string& path) {
@@ -146,6 +151,13 @@ void body(const Scene& scene, std::size_t index, const std::string& path) {
        fmt::format("there are only {} materials. Try a smaller index.", scene.materials.size()));
   std::visit([&](const auto& s) { shape(s, scene.dimension, path); }, body.shape);
   vector(body.velocity, scene.dimension, 1e6, path + ".velocity");
+  rule(body.velocity_field.empty() ||
+           body.velocity_field.size() == static_cast<std::size_t>(scene.dimension),
+       path + ".velocity_field", fmt::format("{} expressions", body.velocity_field.size()),
+       "each direction needs one. Try [\"-2*y\", \"2*x\"] in 2D.");
+  for (std::size_t a = 0; a < body.velocity_field.size(); ++a) {
+    formula(body.velocity_field[a], "xyz", {}, fmt::format("{}.velocity_field[{}]", path, a));
+  }
 }
 
 void wall(const Wall& wall, int dimension, const std::string& path) {

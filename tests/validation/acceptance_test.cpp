@@ -29,6 +29,14 @@ TEST(AcceptanceTest, EdgesOfABandPass) {
   EXPECT_FALSE(*within("m", std::nextafter(1.1, 2.0), "", {}, 0.9, 1.1, "").pass);
 }
 
+TEST(AcceptanceTest, ObservedOrderIsTheSlopeOfAPowerLaw) {
+  const auto error = [](double dx) { return ErrorAtSpacing{dx, -3.0 * dx * dx}; };
+  // Logarithms of powers of two: exact but for a few roundings.
+  EXPECT_NEAR(observed_order({error(0.5), error(0.25), error(0.125)}), 2.0, 1e-14);
+  EXPECT_TRUE(std::isnan(observed_order({error(0.5)})));
+  EXPECT_TRUE(std::isnan(observed_order({error(0.5), {0.25, 0.0}})));
+}
+
 TEST(AcceptanceTest, NotANumberFails) {
   EXPECT_FALSE(*within("m", std::nan(""), "", {}, -1e300, 1e300, "").pass);
 }

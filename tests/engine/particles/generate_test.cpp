@@ -271,6 +271,24 @@ TEST(GenerateSoilTest, WrongExpressionIsQuotedWithItsPlace) {
   EXPECT_NE(message.find("depth"), std::string::npos) << message;
 }
 
+TEST(GenerateSoilTest, VelocityFieldIsEvaluatedAtEveryParticle) {
+  Body turning{0, Box{{0, 0, 0}, {2, 1, 0}}, {}};
+  turning.velocity_field = {"-2*pi*y", "x^2"};
+  const SoilPoints soil = generate_soil(scene_of(2, 0.5, {turning}));
+  ASSERT_EQ(soil.position.size(), 8u);
+  for (std::size_t i = 0; i < soil.position.size(); ++i) {
+    const Vec3& at = soil.position[i];
+    EXPECT_DOUBLE_EQ(soil.velocity[i][0], -2.0 * 3.14159265358979323846 * at[1]);
+    EXPECT_DOUBLE_EQ(soil.velocity[i][1], at[0] * at[0]);
+  }
+}
+
+TEST(GenerateSoilTest, VelocityThatIsNotFiniteIsPlaced) {
+  Body body{0, Box{{0, 0, 0}, {2, 1, 0}}, {}};
+  body.velocity_field = {"1/(x - 0.25)", "0"};
+  EXPECT_NE(error_of(scene_of(2, 0.5, {body})).find("not finite at x = 0.25"), std::string::npos);
+}
+
 TEST(GenerateSoilTest, HeightThatIsNotFiniteIsPlaced) {
   const std::string message = error_of(scene_of(3, 0.5, {{0, expression("1/(x - 0.25)"), {}}}));
   EXPECT_NE(message.find("x = 0.25, y = 0.25 is inf"), std::string::npos) << message;

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slip band against Bishop's circle, and displacement against strength."""
+
+import json
+
+import numpy as np
+import scarp_report as scarp
+
+plt = scarp.plt
+CIRCLE = dict(color="#0072b2", linewidth=1.4, linestyle=(0, (6, 2)))
+
+
+def arc(bishop):
+    """The critical circle below the ground line, (n, 2)."""
+    circle = bishop["circle"]
+    angles = [np.arctan2(p[0] - circle["x"], circle["y"] - p[1]) for p in (bishop["entry"], bishop["exit"])]
+    along = np.linspace(*angles, 200)
+    return np.column_stack([circle["x"] + circle["radius"] * np.sin(along),
+                            circle["y"] - circle["radius"] * np.cos(along)])
+
+
+def draw(page, folder, figures):
+    bishop = json.loads((folder / "bishop.json").read_text(encoding="utf-8"))
+    series = scarp.read_series(folder)
+    shown = scarp.frames_of(folder, "last") + scarp.frames_of(folder, "stage_end")
+    if shown and series:
+        first, _ = series[0]
+        last = scarp.load_frame(max(shown, key=lambda info: info["time"])["path"])
+        figure, ax = plt.subplots(figsize=(9.0, 3.9))
+        scarp.draw_particles_2d(ax, last, "accumulated_plastic_strain", initial=scarp.load_frame(first))
+        ax.plot(*arc(bishop).T, label=f"Bishop's circle, F = {bishop['factor_of_safety']:.3f}", **CIRCLE)
+        band = scarp.read_table(folder / "slip_band.csv")
+        if band:
+            ax.plot(band[0]["x"], band[0]["y"], "o", color="#009e73", markersize=4, markerfacecolor="none",
+                    label="slip band, in the undeformed slope")
+        ax.legend(loc="upper right", fontsize=8)
+        page.figure(figure, "Strength cut by 1.4, end of the slide. Shading: accumulated plastic strain; red dashes: "
+                    "ground before; blue dashes: Bishop's circle; rings: where the slip band was found, moved back "
+                    "to where its soil lay before the slide, as Bishop's circle is.",
+                    figures / "slip_and_circle.png")
+    curve = scarp.read_table(folder / "displacement_srf.csv")
+    if curve:
+        columns = curve[0]
+        figure, ax = plt.subplots(figsize=(6.2, 3.2))
+        ax.semilogy(columns["SRF"], np.maximum(columns["crest_displacement"], 1e-5), "o-", color="#333333")
+        ax.axhline(0.1, color="#d62728", linewidth=0.9, linestyle="--", label="failure: 1 % of the height")
+        ax.axvline(bishop["factor_of_safety"], **CIRCLE, label="FOS by Bishop")
+        ax.set_xlabel("strength reduction factor [-]")
+        ax.set_ylabel("crest displacement [m]")
+        ax.grid(alpha=0.25, linewidth=0.5)
+        ax.legend(fontsize=8)
+        page.figure(figure, "Displacement of the crest 4 s after the strength was cut, from one settled slope.",
+                    figures / "displacement_srf.png")

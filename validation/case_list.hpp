@@ -26,6 +26,11 @@ struct ErrorProblem {
 
 void slope_2d(CaseRun& run);
 void cuboid_3d(CaseRun& run);
+void oedometer(CaseRun& run);
+void elastic_wave(CaseRun& run);
+void patch(CaseRun& run);
+extern const ErrorProblem oedometer_problem;
+extern const ErrorProblem elastic_wave_problem;
 
 struct CaseRow {
   std::string_view name;
@@ -39,6 +44,11 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"slope_2d", "paper", "Cohesive slope in plane strain, strength cut by 1.4 (sample 1).",
      slope_2d},
     {"cuboid_3d", "paper", "Collapse of a granular cuboid behind a gate (sample 2).", cuboid_3d},
+    {"oedometer", "verification", "Elastic column between smooth walls under its own weight.",
+     oedometer, &oedometer_problem},
+    {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",
+     elastic_wave, &elastic_wave_problem},
+    {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

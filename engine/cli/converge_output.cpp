@@ -33,7 +33,8 @@ const char* word(Trend trend) {
 }
 
 std::string percent(double error) {
-  return std::isfinite(error) ? fmt::format("{:.3g} %", 100.0 * error) : "unknown";
+  if (!std::isfinite(error)) return "unknown";
+  return error > 0.0 && error < 1e-4 ? "< 0.01 %" : fmt::format("{:.2g} %", 100.0 * error);
 }
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -67,7 +68,7 @@ std::vector<std::string> advice_sentences(const Study& study) {
 std::string study_text(const Study& study) {
   std::string text = fmt::format("{:<34}", "");
   for (const SpacingRun& run : study.runs) {
-    text += fmt::format("{:>22}", fmt::format("{:g} m", run.spacing));
+    text += fmt::format("{:>24}", fmt::format("{:g} m", run.spacing));
   }
   text += fmt::format("{:>8}{:>14}\n", "order", "at spacing 0");
   for (std::size_t q = 0; q < study.quantities.size(); ++q) {
@@ -76,7 +77,7 @@ std::string study_text(const Study& study) {
     text += fmt::format("{:<34}", fmt::format("{} [{}]", c.quantity.name, c.quantity.unit));
     for (std::size_t k = 0; k < 3; ++k) {
       text += fmt::format(
-          "{:>22}", fmt::format("{:.4g} ({})", c.values[k].value, percent(c.estimate.error[k])));
+          "{:>24}", fmt::format("{:.4g} ({})", c.values[k].value, percent(c.estimate.error[k])));
     }
     const double order = c.estimate.observed_order;
     text += fmt::format(
@@ -87,7 +88,7 @@ std::string study_text(const Study& study) {
   }
   text += fmt::format("{:<34}", "run time");
   for (const SpacingRun& run : study.runs) {
-    text += fmt::format("{:>22}", readable_duration(run.wall_s));
+    text += fmt::format("{:>24}", readable_duration(run.wall_s));
   }
   text += "\nIn brackets: estimated error.\n\n";
   for (const std::string& sentence : advice_sentences(study)) text += sentence + "\n";

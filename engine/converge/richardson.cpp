@@ -52,20 +52,21 @@ ErrorEstimate estimate_error(const std::array<ValueAtSpacing, 3>& samples, doubl
     estimate.extrapolated = fine.value;
     return estimate;
   }
-  if (no_first || no_second || (first > 0.0) != (second > 0.0)) {
+  const auto without_order = [&](Trend trend) {
     const auto [low, high] = std::minmax({coarse.value, middle.value, fine.value});
     const double size = scale > 0.0 ? scale : std::abs(fine.value);
-    estimate.trend = Trend::not_monotone;
-    estimate.error.fill(size > 0.0 ? (high - low) / size : nan);
+    estimate.trend = trend;
+    estimate.error.fill(size > 0.0 ? spread_margin * (high - low) / size : nan);
     return estimate;
+  };
+  if (no_first || no_second || (first > 0.0) != (second > 0.0)) {
+    return without_order(Trend::not_monotone);
   }
   const double coarse_ratio = coarse.spacing / middle.spacing,
                fine_ratio = middle.spacing / fine.spacing;
   estimate.observed_order = solve_order(first / second, coarse_ratio, fine_ratio);
   if (estimate.observed_order < 1e-6) {  // 0 up to round-off of the bisection
-    estimate.trend = Trend::not_converging;
-    estimate.error = {nan, nan, nan};
-    return estimate;
+    return without_order(Trend::not_converging);
   }
   estimate.order = std::clamp(estimate.observed_order, least_order, most_order);
   estimate.trend =

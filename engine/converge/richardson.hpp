@@ -19,8 +19,12 @@ enum class Trend {
 };
 
 /// Orders that are extrapolated with: at most that of the method, at least one that still names an
-/// error (Oberkampf and Roy 2010, sec. 8.6).
+/// error (the limits of Oberkampf and Roy 2010).
 inline constexpr double least_order = 0.5, most_order = 2.0;
+
+/// Without an order the error is counted as this many times the spread of the three values: a
+/// margin by choice, because nothing then says how far the limit lies outside them.
+inline constexpr double spread_margin = 3.0;
 
 struct ValueAtSpacing {
   double spacing = 0.0;  ///< [m]
@@ -37,9 +41,10 @@ struct ErrorEstimate {
 };
 
 /// Fits f = f0 + C h^p: p from (f1 - f2)/(f2 - f3) = (h1^p - h2^p)/(h2^p - h3^p), then f0 from the
-/// two finest values with p within the limits. Where the values are not monotone the error is their
-/// whole spread, at every spacing. `scale` is what errors are relative to; 0: the extrapolated
-/// value, else the finest. Pre: spacings fall, all above 0. Values that are not finite give NaN.
+/// two finest values with p within the limits. Where there is no positive p the error is
+/// `spread_margin` times the spread, at every spacing. `scale` is what errors are relative to; 0:
+/// the extrapolated value, else the finest. Pre: spacings fall, all above 0. Values that are not
+/// finite give NaN.
 ErrorEstimate estimate_error(const std::array<ValueAtSpacing, 3>& coarse_to_fine,
                              double scale = 0.0);
 

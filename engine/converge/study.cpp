@@ -70,7 +70,7 @@ void add_notes(Study& study) {
     study.notes.push_back(fmt::format(
         "A displacement {}. The soil model has no internal length: after failure the slip band is "
         "as thin as the spacing lets it be, and displacement need not converge. Quote the spacing "
-        "with every number; before failure try finer spacings that fit the bodies.",
+        "with every number. Where nothing fails, try finer spacings that fit the bodies.",
         no_order ? "does not converge over these spacings" : "goes up and down with the spacing"));
   }
   const SpacingRun& fine = study.runs.back();
@@ -153,9 +153,9 @@ std::string remark(const ErrorEstimate& estimate) {
                  : fmt::format("order {:.2g} counted as {:g}: the error is a lower bound",
                                estimate.observed_order, least_order);
     case Trend::not_converging:
-      return "does not converge: the change does not shrink, the error is unknown";
+      return "does not converge: the change does not shrink; error counted as 3 times the spread";
     case Trend::not_monotone:
-      return "not monotone: the error is the whole spread of the values";
+      return "not monotone: error counted as 3 times the spread";
   }
   return {};
 }

@@ -36,7 +36,7 @@ double solve_order(double ratio, double coarse, double fine) {
 }  // namespace
 
 ErrorEstimate estimate_error(const std::array<ValueAtSpacing, 3>& samples, double scale) {
-  const auto& [coarse, middle, fine] = samples;
+  const ValueAtSpacing &coarse = samples[0], &middle = samples[1], &fine = samples[2];
   ErrorEstimate estimate;
   const double first = coarse.value - middle.value, second = middle.value - fine.value;
   const double largest =

@@ -24,9 +24,12 @@ void add_scene_options(CLI::App& command, SceneArguments& arguments) {
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
   command.add_option("--preset", arguments.preset, "Replace the scene's preset: modern, paper")
       ->check(CLI::IsMember({"modern", "paper"}));
+  command.add_option("--json", arguments.json, "Write the numbers here, - for standard output");
+}
+
+void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
   command.add_option("--spacing", arguments.spacing,
                      "Replace the particle spacing, e.g. \"0.5 m\"");
-  command.add_option("--json", arguments.json, "Write the numbers here, - for standard output");
 }
 
 int run_program(int argc, char** argv) {
@@ -39,6 +42,7 @@ int run_program(int argc, char** argv) {
   RunArguments run;
   CLI::App* run_app = app.add_subcommand("run", "Run a scene; leaves frames, tables, results.json");
   add_scene_options(*run_app, run.scene);
+  add_spacing_option(*run_app, run.scene);
   run_app->add_option("-o,--out", run.folder,
                       "Output folder; default out/<name of the scene file>");
   run_app->add_flag("-q,--quiet", run.quiet, "No progress");
@@ -47,6 +51,21 @@ int run_program(int argc, char** argv) {
   CLI::App* check_app = app.add_subcommand(
       "check", "Say what a scene is, uses, leaves out and needs, after a few trial steps");
   add_scene_options(*check_app, check);
+  add_spacing_option(*check_app, check);
+
+  ConvergeArguments converge;
+  CLI::App* converge_app = app.add_subcommand(
+      "converge", "Run a scene at three spacings: estimated errors, and which spacing to use");
+  add_scene_options(*converge_app, converge.scene);
+  converge_app
+      ->add_option(
+          "--spacings", converge.spacings,
+          "Three spacings, e.g. \"1 m, 0.5 m, 0.25 m\"; default 4, 2 and 1 times the scene's")
+      ->delimiter(',')
+      ->expected(3);
+  converge_app->add_option("-o,--out", converge.folder,
+                           "Output folder; default out/<name of the scene file>_converge");
+  converge_app->add_flag("-q,--quiet", converge.quiet, "No progress");
 
   std::string report_folder;
   CLI::App* report_app = app.add_subcommand("report", "Draw the figures and report.html of a run");
@@ -61,6 +80,7 @@ int run_program(int argc, char** argv) {
   }
   if (*run_app) return run_command(run);
   if (*check_app) return check_command(check);
+  if (*converge_app) return converge_command(converge);
   return report_command(report_folder);
 }
 

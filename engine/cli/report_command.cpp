@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// `scarp report`: hands a run's folder to the report script.
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdlib>
@@ -36,7 +38,7 @@ std::filesystem::path report_script() {
 
 }  // namespace
 
-int report_command(const std::string& folder) {
+int report_command(const std::string& folder, bool silent) {
   const std::filesystem::path script = report_script();
   std::error_code error;
   if (!std::filesystem::exists(script, error)) {
@@ -47,7 +49,14 @@ int report_command(const std::string& folder) {
   std::string program = interpreter, file = script.string(), argument = folder;
   std::array<char*, 4> arguments{program.data(), file.data(), argument.data(), nullptr};
   pid_t child = 0;
-  const int problem = posix_spawn(&child, interpreter, nullptr, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (silent) {
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  }
+  const int problem =
+      posix_spawn(&child, interpreter, &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
   if (problem != 0) {
     throw FileError(
         fmt::format("'{}': cannot be started: {}. The report needs Debian's python3, "

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/run_writer.hpp"
@@ -20,14 +20,6 @@
 namespace scarp::cli {
 namespace {
 
-volatile std::sig_atomic_t stop_requested = 0;
-
-/// The first interrupt ends the run with its outputs complete; the second one kills, as usual.
-extern "C" void request_stop(int signal) {
-  stop_requested = 1;
-  std::signal(signal, SIG_DFL);
-}
-
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -35,13 +27,14 @@ std::string read_text(const std::filesystem::path& path) {
 
 }  // namespace
 
+double length_of(const std::string& text) {
+  const bool bare = text.find_first_not_of("0123456789.+-eE") == std::string::npos;
+  return parse_quantity(bare ? text + " m" : text, kernels::Unit::length);
+}
+
 Scene load_scene(const SceneArguments& arguments) {
   SceneOverrides overrides{arguments.preset, 0.0};
-  if (!arguments.spacing.empty()) {
-    const bool bare = arguments.spacing.find_first_not_of("0123456789.+-eE") == std::string::npos;
-    overrides.spacing =
-        parse_quantity(bare ? arguments.spacing + " m" : arguments.spacing, kernels::Unit::length);
-  }
+  if (!arguments.spacing.empty()) overrides.spacing = length_of(arguments.spacing);
   return read_scene(arguments.file, overrides);
 }
 
@@ -68,8 +61,7 @@ int run_command(const RunArguments& arguments) {
   }
   RunWriter writer(simulation, folder);
   Progress progress(total_duration(scene), arguments.quiet);
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  catch_interrupts();
   const auto finish = [&] {
     progress.end();
     if (!arguments.scene.json.empty()) {
@@ -80,7 +72,7 @@ int run_command(const RunArguments& arguments) {
   try {
     wall_seconds = run(simulation, &writer, [&progress](const Simulation& now) {
       progress.update(now);
-      return stop_requested == 0;
+      return !stop_requested();
     });
   } catch (const SimulationInstability&) {
     finish();
@@ -91,10 +83,10 @@ int run_command(const RunArguments& arguments) {
   finish();
   if (!arguments.quiet) {
     fmt::print(stderr, "{} after {} steps, {:.4g} s simulated in {}; results in {}\n",
-               stop_requested != 0 ? "stopped" : "done", simulation.last_step().step,
+               stop_requested() ? "stopped" : "done", simulation.last_step().step,
                simulation.last_step().time, readable_duration(wall_seconds), folder.string());
   }
-  return stop_requested != 0 ? interrupted : ok;
+  return stop_requested() ? interrupted : ok;
 }
 
 }  // namespace scarp::cli

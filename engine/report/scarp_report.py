@@ -15,6 +15,7 @@ try:
                                label_of, outline, plt, section)
     from scarp_frames import (frame_info, load_frame, load_walls, read_results, read_series, read_table,
                               scalar)
+    from scarp_converge import converge_page
     from scarp_page import Page, Raw, badge, band, number  # noqa: F401
 except ImportError as error:
     sys.exit(f"scarp report: {error}; install Debian's python3-matplotlib and python3-h5py.")
@@ -224,8 +225,10 @@ def run_parts(page, folder, results, level=2):
 
 
 def report(folder, out=None):
-    """Writes the page of one run; returns its path."""
+    """Writes the page of one run, or of what `scarp converge` left; returns its path."""
     folder = pathlib.Path(folder)
+    if (folder / "converge.json").exists():
+        return converge_page(folder, out)
     results = read_results(folder)
     page = Page(results.get("title") or results.get("case") or folder.name,
                 f"scarp run “{results.get('case', folder.name)}”")

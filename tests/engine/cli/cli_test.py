@@ -34,6 +34,31 @@ name = "short"
 duration = 0.04
 """
 
+COLUMN = """title = "Column"
+dimension = 2
+spacing = "0.125 m"
+[[material]]
+name = "rock"
+model = "linear_elastic"
+density = 2000.0
+youngs_modulus = "10 MPa"
+poisson_ratio = 0.3
+[[body]]
+material = "rock"
+polygon = [[0, 0], [1, 0], [1, 4], [0, 4]]
+[[wall]]
+name = "box"
+kind = "free_slip"
+box = {min = [0, 0], max = [1, 6], open = ["+y"]}
+[[stage]]
+name = "settle"
+duration = "1 s"
+damping = 30
+[[probe]]
+name = "top"
+at = [0.5, 4]
+"""
+
 
 class CliTest(unittest.TestCase):
     def setUp(self):
@@ -88,6 +113,47 @@ class CliTest(unittest.TestCase):
     def test_help_and_version_exit_0(self):
         for arguments in (["--help"], ["run", "--help"], ["--version"]):
             self.assertEqual(self.scarp(*arguments).returncode, 0, arguments)
+
+    def test_converge_estimates_errors_and_resumes(self):
+        # A column between smooth sides under its weight: the force on its base is the weight at every
+        # spacing, and its top settles by about rho g H^2/(2 M), whatever the spacing, within a few per cent.
+        (self.folder / "column.toml").write_text(COLUMN)
+        arguments = ["converge", "column.toml", "--threads", "1", "--json", "-"]
+        done = self.scarp(*arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("expected run time", done.stderr)
+        study = json.loads(done.stdout)
+        self.assertEqual([run["spacing"] for run in study["runs"]], [0.5, 0.25, 0.125])
+        self.assertEqual([run["particles"] for run in study["runs"]], [16, 64, 256])
+        quantities = {q["name"]: q for q in study["quantities"]}
+        for value in quantities["box.force_y"]["values"]:
+            self.assertAlmostEqual(value / (-2000 * 9.81 * 4), 1.0, delta=1e-3)  # rest: see the damping
+        modulus = 10e6 * 0.7 / (1.3 * 0.4)
+        settlement = 2000 * 9.81 * 4**2 / (2 * modulus)
+        for value in quantities["top.displacement"]["values"]:
+            self.assertAlmostEqual(value / settlement, 1.0, delta=0.05)
+        self.assertLess(quantities["top.displacement"]["errors"][2], 0.05)
+        self.assertEqual([a["target"] for a in study["advice"]], [0.05, 0.02])
+        out = self.folder / "out" / "column_converge"
+        self.assertEqual(json.loads((out / "converge.json").read_text()), study)
+        self.assertEqual(len((out / "converge.csv").read_text().splitlines()), 1 + len(quantities))
+        self.assertIn("data:image/png", (out / "report.html").read_text())
+
+        (out / "dx_0.25" / "results.json").unlink()  # as if killed: this one is run again, the others are not
+        again = json.loads(self.scarp(*arguments).stdout)
+        self.assertEqual([run["reused"] for run in again["runs"]], [True, False, True])
+        self.assertEqual([q["values"] for q in again["quantities"]], [q["values"] for q in study["quantities"]])
+        (self.folder / "column.toml").write_text(COLUMN + "# another text\n")
+        self.assertEqual([run["reused"] for run in json.loads(self.scarp(*arguments).stdout)["runs"]], [False] * 3)
+
+    def test_converge_takes_its_spacings_and_refuses_bad_ones(self):
+        (self.folder / "column.toml").write_text(COLUMN)
+        done = self.scarp("converge", "column.toml", "--spacings", "25 cm, 0.5, 1 m", "-o", "three", "--quiet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue((self.folder / "three" / "dx_1" / "results.json").exists())
+        self.assertIn("For 5 %", done.stdout)
+        for spacings in ("1,0.5", "1,1,0.5", "1,0.5,0", "1,0.5,1 kg"):
+            self.assertEqual(self.scarp("converge", "column.toml", "--spacings", spacings).returncode, 2, spacings)
 
     def test_report_draws_a_run(self):
         self.scarp("run", "block.toml", "--quiet", "-o", "block")

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// `scarp converge`: a scene at three spacings, coarse first, what is already there not run again.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/converge_output.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/converge/study.hpp"
+#include "engine/errors.hpp"
+#include "engine/output/run_writer.hpp"
+#include "engine/output/text_file.hpp"
+#include "engine/scene/units.hpp"
+#include "engine/scene/warnings.hpp"
+
+namespace scarp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::string read_text(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Coarse to fine. Errors: UnitError for spacings that no order can be told from.
+std::array<double, 3> chosen_spacings(const ConvergeArguments& arguments, double own) {
+  std::array<double, 3> spacings{4.0 * own, 2.0 * own, own};
+  if (!arguments.spacings.empty()) {
+    std::transform(arguments.spacings.begin(), arguments.spacings.end(), spacings.begin(),
+                   [](const std::string& text) {
+                     const std::size_t first = text.find_first_not_of(' ');
+                     return length_of(first == std::string::npos ? text : text.substr(first));
+                   });
+  }
+  std::sort(spacings.begin(), spacings.end(), std::greater<>());
+  if (!(spacings[2] > 0.0) || spacings[0] < 1.1 * spacings[1] || spacings[1] < 1.1 * spacings[2]) {
+    throw UnitError("three spacings above 0 are needed, each at least 1.1 times the next");
+  }
+  return spacings;
+}
+
+double measure_of(const Json& results, const std::string& name) {
+  for (const Json& measure : results.at("measures")) {
+    if (measure.at("name") == name) {
+      const Json& value = measure.at("value");
+      return value.is_null() ? NAN : value.get<double>();
+    }
+  }
+  throw FileError(fmt::format("no measure '{}'", name));
+}
+
+SpacingRun run_of(const Json& results, const std::vector<EndQuantity>& quantities) {
+  SpacingRun run;
+  run.spacing = results.at("spacing").get<double>();
+  run.wall_s = results.at("wall_s").get<double>();
+  run.particles = results.at("particles").get<double>();
+  run.steps = results.at("steps").get<double>();
+  run.mass = measure_of(results, "mass");
+  for (const EndQuantity& quantity : quantities) {
+    run.values.push_back(measure_of(results, quantity.name));
+  }
+  return run;
+}
+
+/// The run that a folder holds, if it is complete and of this scene, these options and this
+/// program. Threads count as well: run times are compared.
+std::optional<SpacingRun> earlier_run(const fs::path& folder, const Simulation& simulation,
+                                      const std::vector<EndQuantity>& quantities) {
+  const Scene& scene = simulation.scene();
+  try {
+    if (read_text(folder / "scene.toml") != read_text(scene.file)) return {};
+    const Json results = Json::parse(read_text(folder / "results.json"));
+    const bool same = results.at("complete") == true && results.at("spacing") == scene.spacing &&
+                      results.at("preset") == scene.numerics.preset &&
+                      results.at("isa") == simulation.isa() &&
+                      results.at("threads") == simulation.threads() &&
+                      results.at("particles") == simulation.soil_count() &&
+                      results.at("versions").at("scarp") == SCARP_VERSION;
+    if (!same) return {};
+    SpacingRun run = run_of(results, quantities);
+    run.reused = true;
+    return run;
+  } catch (const std::exception&) {  // missing, half written, or of another program: run again
+    return {};
+  }
+}
+
+/// Runs to the end, or leaves outputs marked incomplete if a stop was asked for.
+void run_to_end(Simulation& simulation, const fs::path& folder,
+                const std::vector<EndQuantity>& quantities, bool quiet) {
+  RunWriter writer(simulation, folder);
+  Progress progress(total_duration(simulation.scene()), quiet);
+  const auto after_step = [&](const Simulation& now) {
+    progress.update(now);
+    if (now.finished()) {
+      std::vector<Measure> measures = basic_measures(now);
+      const std::vector<double> values = end_values(now);
+      for (std::size_t q = 0; q < quantities.size(); ++q) {
+        const auto same = [&](const Measure& m) { return m.name == quantities[q].name; };
+        if (std::any_of(measures.begin(), measures.end(), same)) continue;
+        measures.push_back({quantities[q].name, values[q], quantities[q].unit, {}, {}, {}, {}});
+      }
+      writer.set_measures(std::move(measures));
+    }
+    return !stop_requested();
+  };
+  run(simulation, &writer, after_step);
+  progress.end();
+}
+
+/// The forecast for the spacings still to come.
+std::string forecast(const SpacingRun& done, const std::array<double, 3>& spacings,
+                     std::size_t next, int dimension) {
+  std::string text;
+  double total = 0.0;
+  for (std::size_t k = next; k < spacings.size(); ++k) {
+    const double wall = forecast_wall(done.wall_s, done.spacing, spacings[k], dimension);
+    total += wall;
+    text += fmt::format("{}{:g} m about {}", text.empty() ? "" : ", ", spacings[k],
+                        readable_duration(wall));
+  }
+  return fmt::format("expected run time: {}; {} in all (cost as spacing^-{})", text,
+                     readable_duration(total), dimension + 1);
+}
+
+}  // namespace
+
+int converge_command(const ConvergeArguments& arguments) {
+  const Scene own = load_scene(arguments.scene);
+  const std::array<double, 3> spacings = chosen_spacings(arguments, own.spacing);
+  for (const std::string& warning : warnings(own)) fmt::print(stderr, "warning: {}\n", warning);
+  const fs::path folder = arguments.folder.empty()
+                              ? fs::path("out") / (fs::path(own.file).stem().string() + "_converge")
+                              : fs::path(arguments.folder);
+  const std::vector<EndQuantity> quantities = end_quantities(own);
+  catch_interrupts();
+  std::array<SpacingRun, 3> runs;
+  std::string isa;
+  int threads = 0;
+  for (std::size_t k = 0; k < spacings.size(); ++k) {
+    SceneArguments scene = arguments.scene;
+    scene.spacing = fmt::format("{} m", spacings[k]);
+    Simulation simulation(load_scene(scene), scene.options);
+    const fs::path place = folder / fmt::format("dx_{:g}", spacings[k]);
+    std::optional<SpacingRun> done = earlier_run(place, simulation, quantities);
+    if (!done) {
+      if (!arguments.quiet) {
+        fmt::print(stderr, "spacing {:g} m: {} soil particles, output in {}\n", spacings[k],
+                   simulation.soil_count(), place.string());
+      }
+      run_to_end(simulation, place, quantities, arguments.quiet);
+      if (stop_requested()) return interrupted;
+      done = run_of(Json::parse(read_text(place / "results.json")), quantities);
+    }
+    isa = simulation.isa();
+    threads = simulation.threads();
+    runs[k] = *done;
+    if (arguments.quiet) continue;
+    fmt::print(stderr, "spacing {:g} m: {} {}\n", spacings[k],
+               done->reused ? "was there already, took" : "done in",
+               readable_duration(done->wall_s));
+    if (k + 1 < spacings.size()) {
+      fmt::print(stderr, "{}\n", forecast(*done, spacings, k + 1, own.dimension));
+    }
+  }
+  const Study study = assess(quantities, runs, own.dimension);
+  const std::string json = study_json(study, own, isa, threads);
+  replace_file(folder / "converge.json", json);
+  write_study_csv((folder / "converge.csv").string(), study);
+  const bool numbers_only = arguments.scene.json == "-";
+  if (!numbers_only) fmt::print("{}", study_text(study));
+  if (!arguments.scene.json.empty()) write_text(arguments.scene.json, json);
+  std::fflush(stdout);
+  try {  // without Python the numbers are there all the same
+    report_command(folder.string(), numbers_only);
+  } catch (const FileError& error) {
+    fmt::print(stderr, "no report: {}\n", error.what());
+  }
+  return ok;
+}
+
+}  // namespace scarp::cli

@@ -6,6 +6,7 @@ include(CMakePackageConfigHelpers)
 # Everything an embedding program includes, spelled as in the repository. tests/layering reads this
 # list: nothing in it may include, however indirectly, a third-party header.
 set(scarp_public_headers
+  engine/element/element_path.hpp
   engine/errors.hpp
   engine/simulation.hpp
   engine/scene/scene.hpp

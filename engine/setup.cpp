@@ -40,23 +40,6 @@ double lattice_moment_of(const Numerics& numerics, int dimension) {
   return -sum * form.normalisation(dimension) * std::pow(ratio, dimension) / dimension;
 }
 
-const kernels::KernelTable& choose_table(const RunOptions& options) {
-  std::string wanted = options.isa;
-  if (wanted.empty()) {
-    if (const char* environment = std::getenv("SCARP_ISA")) wanted = environment;
-  }
-  const auto available = kernels::available_isas();
-  if (wanted.empty()) return kernels::kernels_of(available.back());
-  const auto isa = kernels::isa_named(wanted);
-  if (!isa || std::find(available.begin(), available.end(), *isa) == available.end()) {
-    std::string names;
-    for (const kernels::Isa one : available) names += fmt::format(" {}", kernels::isa_name(one));
-    throw SceneError(
-        fmt::format("instruction set '{}' is not available here; try one of:{}", wanted, names));
-  }
-  return kernels::kernels_of(*isa);
-}
-
 ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& table) {
   const Numerics& n = scene.numerics;
   ChosenKernels chosen;
@@ -176,41 +159,61 @@ void set_pair_constants(State& state) {
 
 }  // namespace
 
-void set_material_constants(State& state) {
-  const Scene& scene = state.scene;
+const kernels::KernelTable& choose_table(const RunOptions& options) {
+  std::string wanted = options.isa;
+  if (wanted.empty()) {
+    if (const char* environment = std::getenv("SCARP_ISA")) wanted = environment;
+  }
+  const auto available = kernels::available_isas();
+  if (wanted.empty()) return kernels::kernels_of(available.back());
+  const auto isa = kernels::isa_named(wanted);
+  if (!isa || std::find(available.begin(), available.end(), *isa) == available.end()) {
+    std::string names;
+    for (const kernels::Isa one : available) names += fmt::format(" {}", kernels::isa_name(one));
+    throw SceneError(
+        fmt::format("instruction set '{}' is not available here; try one of:{}", wanted, names));
+  }
+  return kernels::kernels_of(*isa);
+}
+
+kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Material& material,
+                                                   double strength_reduction) {
   const Numerics& n = scene.numerics;
-  const Stage& stage = scene.stages[state.stage.index];
-  state.material_constants.resize(scene.materials.size());
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m];
-    kernels::StressPassConstants c{};
-    const kernels::ElasticModuli moduli =
-        kernels::elastic_moduli(material.parameters[0], material.parameters[1]);
-    c.bulk_modulus = moduli.bulk_modulus;
-    c.shear_modulus = moduli.shear_modulus;
-    if (material.model == kernels::DruckerPrager::name) {
-      const auto own = stage.material_strength_reduction.find(material.name);
-      const double reduction =
-          own != stage.material_strength_reduction.end() ? own->second : stage.strength_reduction;
-      const kernels::ConeConstants cone =
-          kernels::DruckerPrager::reduced(material.parameters, reduction);
-      c.alpha_phi = cone.alpha_phi;
-      c.k_c = cone.k_c;
-      c.alpha_psi = cone.alpha_psi;
-    }
-    c.reference_density = material.density;
-    c.density_minimum = n.density_minimum * material.density;
-    c.density_maximum = n.density_maximum * material.density;
-    c.smoothing_length = state.smoothing_length;
-    c.diffusion_cap = n.stress_diffusion;
-    c.diffusion_shear_gate = n.diffusion_shear_gate;
-    std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
-    const double poisson = material.parameters[1];
-    c.k0 = scene.initial_k0 >= 0.0 ? scene.initial_k0 : poisson / (1.0 - poisson);
-    c.gradient_correction = n.gradient_correction;
-    c.hughes_winget = n.stress_rotation == StressRotation::hughes_winget;
-    c.plasticity = static_cast<int>(n.plasticity);
-    state.material_constants[m] = c;
+  kernels::StressPassConstants c{};
+  const kernels::ElasticModuli moduli =
+      kernels::elastic_moduli(material.parameters[0], material.parameters[1]);
+  c.bulk_modulus = moduli.bulk_modulus;
+  c.shear_modulus = moduli.shear_modulus;
+  if (material.model == kernels::DruckerPrager::name) {
+    const kernels::ConeConstants cone =
+        kernels::DruckerPrager::reduced(material.parameters, strength_reduction);
+    c.alpha_phi = cone.alpha_phi;
+    c.k_c = cone.k_c;
+    c.alpha_psi = cone.alpha_psi;
+  }
+  c.reference_density = material.density;
+  c.density_minimum = n.density_minimum * material.density;
+  c.density_maximum = n.density_maximum * material.density;
+  c.smoothing_length = n.smoothing_ratio * scene.spacing;
+  c.diffusion_cap = n.stress_diffusion;
+  c.diffusion_shear_gate = n.diffusion_shear_gate;
+  std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
+  const double poisson = material.parameters[1];
+  c.k0 = scene.initial_k0 >= 0.0 ? scene.initial_k0 : poisson / (1.0 - poisson);
+  c.gradient_correction = n.gradient_correction;
+  c.hughes_winget = n.stress_rotation == StressRotation::hughes_winget;
+  c.plasticity = static_cast<int>(n.plasticity);
+  return c;
+}
+
+void set_material_constants(State& state) {
+  const Stage& stage = state.scene.stages[state.stage.index];
+  state.material_constants.clear();
+  for (const Material& material : state.scene.materials) {
+    const auto own = stage.material_strength_reduction.find(material.name);
+    const double reduction =
+        own != stage.material_strength_reduction.end() ? own->second : stage.strength_reduction;
+    state.material_constants.push_back(stress_pass_constants(state.scene, material, reduction));
   }
 }
 

@@ -122,6 +122,11 @@ double soil_height(const State& state);  ///< extent along gravity [m]
 State make_state(Scene scene, const RunOptions& options);
 void place_walls(State& state);             ///< after a wall was removed
 void set_material_constants(State& state);  ///< for the strength reduction of the current stage
+/// Of one material; the step's own, `leap` and `plastic_share`, stay 0.
+kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Material& material,
+                                                   double strength_reduction);
+/// The instruction set asked for, else the best. Errors: SceneError.
+const kernels::KernelTable& choose_table(const RunOptions& options);
 
 // Views (engine/sweep/pair_sweeps.cpp).
 kernels::PairSweepView<double> sweep_view(State& state);

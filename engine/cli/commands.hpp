@@ -2,14 +2,22 @@
 /// The subcommands of `scarp`; each returns the exit code and throws the library's errors.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "engine/simulation.hpp"
+#include "kernels/constitutive/parameter_spec.hpp"
 
 namespace scarp::cli {
 
 enum ExitCode { ok = 0, failed = 1, usage = 2, unstable = 3, interrupted = 130 };
+
+/// An option's value that cannot be used; the message begins with the option.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// What `run` and `check` have in common: a scene and what to change in it.
 struct SceneArguments {
@@ -33,11 +41,21 @@ struct ConvergeArguments {
   bool quiet = false;
 };
 
-/// The scene of the file with the overrides applied. Errors: FileError, SceneError, UnitError.
+struct ElementArguments {
+  SceneArguments scene;
+  std::string path, material;  ///< empty material: the only one
+  std::string confining = "100 kPa";
+  double strain = 0.05;
+  int steps = 1000;
+  std::string table;  ///< empty: out/<stem of the scene file>/element_<path>.csv
+};
+
+/// The scene of the file with the overrides applied. Errors: FileError, SceneError, UsageError.
 Scene load_scene(const SceneArguments& arguments);
 
-/// A length from the command line, "0.5 m" or a bare number in metres. Errors: UnitError.
-double length_of(const std::string& text);
+/// A quantity such as "100 kPa" in SI, or a bare number in `bare_unit`. Errors: UsageError.
+double option_value(const std::string& option, const std::string& text, const char* bare_unit,
+                    kernels::Unit unit);
 
 /// Writes to a file, or to standard output for "-". Errors: FileError.
 void write_text(const std::string& target, const std::string& text);
@@ -45,6 +63,7 @@ void write_text(const std::string& target, const std::string& text);
 int run_command(const RunArguments& arguments);
 int check_command(const SceneArguments& arguments);
 int converge_command(const ConvergeArguments& arguments);
+int element_command(const ElementArguments& arguments);
 
 /// `silent`: the page's path is not printed.
 int report_command(const std::string& folder, bool silent = false);

@@ -33,19 +33,22 @@ std::string read_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Coarse to fine. Errors: UnitError for spacings that no order can be told from.
+/// Coarse to fine. Errors: UsageError for spacings that no order can be told from.
 std::array<double, 3> chosen_spacings(const ConvergeArguments& arguments, double own) {
   std::array<double, 3> spacings{4.0 * own, 2.0 * own, own};
   if (!arguments.spacings.empty()) {
     std::transform(arguments.spacings.begin(), arguments.spacings.end(), spacings.begin(),
                    [](const std::string& text) {
                      const std::size_t first = text.find_first_not_of(' ');
-                     return length_of(first == std::string::npos ? text : text.substr(first));
+                     return option_value("--spacings",
+                                         first == std::string::npos ? text : text.substr(first),
+                                         "m", kernels::Unit::length);
                    });
   }
   std::sort(spacings.begin(), spacings.end(), std::greater<>());
   if (!(spacings[2] > 0.0) || spacings[0] < 1.1 * spacings[1] || spacings[1] < 1.1 * spacings[2]) {
-    throw UnitError("three spacings above 0 are needed, each at least 1.1 times the next");
+    throw UsageError(
+        "--spacings: three spacings above 0 are needed, each at least 1.1 times the next");
   }
   return spacings;
 }

@@ -7,19 +7,20 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "engine/cli/commands.hpp"
+#include "engine/element/element_path.hpp"
 #include "engine/errors.hpp"
-#include "engine/scene/units.hpp"
 
 namespace {
 
 using namespace scarp::cli;
 
-void add_scene_options(CLI::App& command, SceneArguments& arguments) {
+/// What every command with a scene takes.
+void add_common_options(CLI::App& command, SceneArguments& arguments) {
   command.add_option("scene", arguments.file, "The scene, a TOML file")->required();
-  command.add_option("--threads", arguments.options.threads, "Threads; 0 takes what OpenMP offers")
-      ->check(CLI::Range(0, 4096));
   command.add_option("--isa", arguments.options.isa, "Instruction set: sse2, avx2, avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
   command.add_option("--preset", arguments.preset, "Replace the scene's preset: modern, paper")
@@ -27,9 +28,37 @@ void add_scene_options(CLI::App& command, SceneArguments& arguments) {
   command.add_option("--json", arguments.json, "Write the numbers here, - for standard output");
 }
 
+void add_scene_options(CLI::App& command, SceneArguments& arguments) {
+  add_common_options(command, arguments);
+  command.add_option("--threads", arguments.options.threads, "Threads; 0 takes what OpenMP offers")
+      ->check(CLI::Range(0, 4096));
+}
+
 void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
   command.add_option("--spacing", arguments.spacing,
                      "Replace the particle spacing, e.g. \"0.5 m\"");
+}
+
+CLI::App* add_element_command(CLI::App& app, ElementArguments& element) {
+  CLI::App* command = app.add_subcommand(
+      "element", "Drive one material point along a laboratory test; leaves a table");
+  add_common_options(*command, element.scene);
+  command->add_option("--path", element.path, "triaxial, plane_strain, simple_shear, isotropic")
+      ->required()
+      ->check(CLI::IsMember(std::vector<std::string>(scarp::element_path_names.begin(),
+                                                     scarp::element_path_names.end())));
+  command->add_option("--material", element.material, "Name in the scene; default its only one");
+  command->add_option("--confining", element.confining,
+                      "Pressure at the start and of the stress held; default \"100 kPa\"");
+  command
+      ->add_option("--strain", element.strain,
+                   "Strain at the end, positive in compression; shear: gamma; default 0.05")
+      ->check(CLI::Range(-10.0, 10.0));
+  command->add_option("--steps", element.steps, "Equal increments of strain; default 1000")
+      ->check(CLI::Range(1, 10'000'000));
+  command->add_option("-o,--out", element.table,
+                      "The table; default out/<name of the scene file>/element_<path>.csv");
+  return command;
 }
 
 int run_program(int argc, char** argv) {
@@ -67,6 +96,9 @@ int run_program(int argc, char** argv) {
                            "Output folder; default out/<name of the scene file>_converge");
   converge_app->add_flag("-q,--quiet", converge.quiet, "No progress");
 
+  ElementArguments element;
+  CLI::App* element_app = add_element_command(app, element);
+
   std::string report_folder;
   CLI::App* report_app = app.add_subcommand("report", "Draw the figures and report.html of a run");
   report_app->add_option("folder", report_folder, "Output folder of a run")
@@ -81,6 +113,7 @@ int run_program(int argc, char** argv) {
   if (*run_app) return run_command(run);
   if (*check_app) return check_command(check);
   if (*converge_app) return converge_command(converge);
+  if (*element_app) return element_command(element);
   return report_command(report_folder);
 }
 
@@ -89,8 +122,8 @@ int run_program(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run_program(argc, argv);
-  } catch (const scarp::UnitError& error) {
-    fmt::print(stderr, "scarp: --spacing: {}\n", error.what());
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "scarp: {}\n", error.what());
     return usage;
   } catch (const scarp::SimulationInstability& error) {
     fmt::print(stderr, "scarp: {}\n", error.what());

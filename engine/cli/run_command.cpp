@@ -27,14 +27,21 @@ std::string read_text(const std::filesystem::path& path) {
 
 }  // namespace
 
-double length_of(const std::string& text) {
+double option_value(const std::string& option, const std::string& text, const char* bare_unit,
+                    kernels::Unit unit) {
   const bool bare = text.find_first_not_of("0123456789.+-eE") == std::string::npos;
-  return parse_quantity(bare ? text + " m" : text, kernels::Unit::length);
+  try {
+    return parse_quantity(bare ? text + " " + bare_unit : text, unit);
+  } catch (const UnitError& error) {
+    throw UsageError(option + ": " + error.what());
+  }
 }
 
 Scene load_scene(const SceneArguments& arguments) {
   SceneOverrides overrides{arguments.preset, 0.0};
-  if (!arguments.spacing.empty()) overrides.spacing = length_of(arguments.spacing);
+  if (!arguments.spacing.empty()) {
+    overrides.spacing = option_value("--spacing", arguments.spacing, "m", kernels::Unit::length);
+  }
   return read_scene(arguments.file, overrides);
 }
 

@@ -155,6 +155,29 @@ class CliTest(unittest.TestCase):
         for spacings in ("1,0.5", "1,1,0.5", "1,0.5,0", "1,0.5,1 kg"):
             self.assertEqual(self.scarp("converge", "column.toml", "--spacings", spacings).returncode, 2, spacings)
 
+    def test_element_leaves_a_table_and_a_summary(self):
+        done = self.scarp("element", "block.toml", "--path", "triaxial", "--strain", "0.001", "--steps", "10",
+                          "--confining", "50 kPa", "--json", "-")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        end = json.loads(done.stdout)["end"]
+        # sigma = -p - E eps, held to 1e-9 of the stress
+        self.assertAlmostEqual(end["stress"][1], -60e3, delta=0.1)
+        self.assertAlmostEqual(end["strain"][0], 0.3e-3, delta=1e-8)
+        rows = (self.folder / "out" / "block" / "element_triaxial.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 12)
+        self.assertTrue(rows[0].startswith("step,strain_xx [-]"))
+        self.assertNotIn("yield_function", rows[0])
+
+    def test_element_says_what_it_cannot_use(self):
+        for arguments, word in ((["--path", "oedometer"], "--path"), ([], "--path"),
+                                (["--path", "triaxial", "--material", "rok"], "rock"),
+                                (["--path", "triaxial", "--confining", "1 m"], "--confining"),
+                                (["--path", "triaxial", "--steps", "0"], "--steps")):
+            done = self.scarp("element", "block.toml", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
+            self.assertIn(word, done.stderr)
+        self.assertEqual(self.scarp("element", "missing.toml", "--path", "triaxial").returncode, 1)
+
     def test_report_draws_a_run(self):
         self.scarp("run", "block.toml", "--quiet", "-o", "block")
         done = self.scarp("report", "block")

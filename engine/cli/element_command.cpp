@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// `scarp element`: one material point of a scene along the path of a laboratory test.
+
+#include "engine/element/element_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "engine/cli/commands.hpp"
+#include "engine/errors.hpp"
+#include "engine/output/text_file.hpp"
+#include "engine/scene/nearest_name.hpp"
+
+namespace scarp::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::array<const char*, 6> components{"xx", "yy", "zz", "xy", "yz", "zx"};
+
+/// The one named, or the only one. Errors: UsageError.
+std::size_t material_of(const Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Material& material : scene.materials) names.push_back(material.name);
+  if (name.empty() && names.size() == 1) return 0;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  if (name.empty()) {
+    throw UsageError(fmt::format("--material: the scene has {} of them; name one: {}", names.size(),
+                                 fmt::join(names, ", ")));
+  }
+  throw UsageError(
+      fmt::format("--material: '{}' is not in the scene. {}", name, did_you_mean(name, names)));
+}
+
+/// In the plane, the components that cannot differ from 0 are left out.
+std::size_t component_count(const ElementResult& result) { return result.dimension == 2 ? 4 : 6; }
+
+void write_table(const std::filesystem::path& path, const ElementResult& result) {
+  std::vector<std::string> titles{"step"};
+  for (const auto& [quantity, unit] : {std::pair{"strain", "-"}, {"stress", "Pa"}}) {
+    for (std::size_t c = 0; c < component_count(result); ++c) {
+      titles.push_back(fmt::format("{}_{} [{}]", quantity, components[c], unit));
+    }
+  }
+  titles.insert(titles.end(), {"I1 [Pa]", "sqrt_J2 [Pa]", "volumetric_strain [-]"});
+  if (result.plastic) {
+    titles.insert(titles.end(), {"yield_function [Pa]", "accumulated_plastic_strain [-]",
+                                 "plastic_volumetric_strain [-]"});
+  }
+  CsvFile table(path, titles);
+  for (std::size_t n = 0; n < result.samples.size(); ++n) {
+    const ElementSample& sample = result.samples[n];
+    table << static_cast<double>(n);
+    for (const auto* tensor : {&sample.strain, &sample.stress}) {
+      for (std::size_t c = 0; c < component_count(result); ++c) table << (*tensor)[c];
+    }
+    table << sample.first_invariant << sample.root_j2 << sample.volumetric_strain;
+    if (result.plastic) {
+      table << sample.yield_function << sample.accumulated_plastic_strain
+            << sample.plastic_volumetric_strain;
+    }
+    table.end_row();
+  }
+}
+
+Json json_of(const ElementSample& sample, bool plastic) {
+  Json json{{"strain", sample.strain},
+            {"stress", sample.stress},
+            {"I1", sample.first_invariant},
+            {"sqrt_J2", sample.root_j2},
+            {"volumetric_strain", sample.volumetric_strain}};
+  if (plastic) {
+    json["yield_function"] = sample.yield_function;
+    json["accumulated_plastic_strain"] = sample.accumulated_plastic_strain;
+    json["plastic_volumetric_strain"] = sample.plastic_volumetric_strain;
+  }
+  return json;
+}
+
+Json summary(const Scene& scene, const ElementTest& test, const ElementResult& result,
+             const std::string& table) {
+  constexpr std::array rotation{"jaumann", "hughes_winget"};
+  constexpr std::array plasticity{"return", "rate", "rate_corrected"};
+  const Material& material = scene.materials[test.material];
+  Json json{{"format", "scarp element"},
+            {"version", 1},
+            {"scene", scene.file},
+            {"material", material.name},
+            {"model", material.model},
+            {"path", element_path_names[static_cast<std::size_t>(test.path)]},
+            {"preset", scene.numerics.preset},
+            {"stress_rotation", rotation[static_cast<std::size_t>(scene.numerics.stress_rotation)]},
+            {"plasticity", plasticity[static_cast<std::size_t>(scene.numerics.plasticity)]},
+            {"dimension", result.dimension},
+            {"isa", result.isa},
+            {"confining_pressure", test.confining_pressure},
+            {"strain", test.strain},
+            {"steps", test.steps},
+            {"bulk_modulus", result.bulk_modulus},
+            {"shear_modulus", result.shear_modulus},
+            {"control_error", result.control_error},
+            {"table", table}};
+  if (result.plastic) {
+    json["alpha_phi"] = result.alpha_phi;
+    json["k_c"] = result.k_c;
+    json["alpha_psi"] = result.alpha_psi;
+    json["first_yield"] =
+        result.first_yield > 0 ? json_of(result.samples[result.first_yield], true) : Json();
+  }
+  json["end"] = json_of(result.samples.back(), result.plastic);
+  return json;
+}
+
+void print(const Scene& scene, const ElementTest& test, const ElementResult& result,
+           const std::string& table) {
+  const ElementSample& end = result.samples.back();
+  const auto line = [](std::string_view name, const std::string& value) {
+    fmt::print("{:<18}{}\n", name, value);
+  };
+  const auto kilopascal = [](double pascal) { return fmt::format("{:.6g} kPa", 1e-3 * pascal); };
+  line("material", scene.materials[test.material].name);
+  line("path", fmt::format("{}, from {} isotropic, strain {:g} in {} steps",
+                           element_path_names[static_cast<std::size_t>(test.path)],
+                           kilopascal(test.confining_pressure), test.strain, test.steps));
+  if (result.plastic) {
+    if (result.first_yield > 0) {
+      const double share = static_cast<double>(result.first_yield) / test.steps;
+      line("yields", fmt::format("from strain {:.4g}", share * test.strain));
+    } else {
+      line("yields", "no");
+    }
+  }
+  fmt::print("at the end\n");
+  for (std::size_t c = 0; c < component_count(result); ++c) {
+    line(fmt::format("  stress {}", components[c]), kilopascal(end.stress[c]));
+  }
+  line("  I1, sqrt J2", kilopascal(end.first_invariant) + ", " + kilopascal(end.root_j2));
+  line("  vol. strain", fmt::format("{:.6g}", end.volumetric_strain));
+  if (result.plastic) {
+    line("  plastic strain",
+         fmt::format("{:.6g}, volumetric {:.6g}", end.accumulated_plastic_strain,
+                     end.plastic_volumetric_strain));
+  }
+  line("table", table);
+}
+
+}  // namespace
+
+int element_command(const ElementArguments& arguments) {
+  ElementTest test;
+  const auto name = std::find(element_path_names.begin(), element_path_names.end(), arguments.path);
+  test.path = static_cast<ElementPath>(name - element_path_names.begin());
+  test.confining_pressure =
+      option_value("--confining", arguments.confining, "Pa", kernels::Unit::pressure);
+  test.strain = arguments.strain;
+  test.steps = arguments.steps;
+  const Scene scene = load_scene(arguments.scene);
+  test.material = material_of(scene, arguments.material);
+  const ElementResult result = run_element(scene, test, arguments.scene.options);
+
+  std::filesystem::path table = arguments.table;
+  if (table.empty()) {
+    table = std::filesystem::path("out") / std::filesystem::path(scene.file).stem() /
+            fmt::format("element_{}.csv", arguments.path);
+    std::error_code error;
+    std::filesystem::create_directories(table.parent_path(), error);  // else the writer says so
+  }
+  write_table(table, result);
+  if (arguments.scene.json != "-") print(scene, test, result, table.string());
+  if (!arguments.scene.json.empty()) {
+    write_text(arguments.scene.json, summary(scene, test, result, table.string()).dump(2) + "\n");
+  }
+  return ok;
+}
+
+}  // namespace scarp::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// One material point, advanced by the stress pass of the engine with no particles around it.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "engine/simulation.hpp"
+#include "kernels/isa/kernel_table.hpp"
+
+namespace scarp {
+
+/// State of a material point; tensors in the order xx, yy, zz, xy, yz, zx, tension positive.
+struct PointState {
+  std::array<double, 6> stress{};  ///< [Pa]
+  std::array<double, 6> strain{};  ///< sum of the strain increments along fixed axes [-]
+  double density = 0.0;            ///< [kg/m3]
+  double accumulated_plastic_strain = 0.0;
+};
+
+/// Velocity gradient times the step, L_ab dt, row-major 3 x 3 [-].
+using GradientIncrement = std::array<double, 9>;
+
+/// The stress pass of a scene for one of its materials: the kernel a run with kick-drift-kick would
+/// use, with the scene's rotation, plasticity and density bounds, without stress diffusion, which
+/// needs neighbours. Owns no state.
+class MaterialPoint {
+ public:
+  /// `dimension` 2 takes the pass of plane strain. Errors: SceneError.
+  MaterialPoint(const Scene& scene, std::size_t material, int dimension,
+                const RunOptions& options = {}, double strength_reduction = 1.0);
+
+  /// At rest under this stress, without strain.
+  PointState at(const std::array<double, 6>& stress) const;
+
+  /// The state one step later. Equation: E18, over a step of any length, as its rates are given
+  /// times the step. Pre: in 2D the third row and column of `increment` are 0.
+  PointState advance(const PointState& from, const GradientIncrement& increment) const;
+
+  double first_invariant(const PointState& state) const;  ///< I1 [Pa]
+  double root_j2(const PointState& state) const;          ///< sqrt(J2) [Pa]
+  /// f of Equation: E9 [Pa]; NaN for a material without yield surface.
+  double yield_function(const PointState& state) const;
+  /// Total less elastic volumetric strain since a start under `start` [-].
+  double plastic_volumetric_strain(const PointState& state, const PointState& start) const;
+
+  const kernels::StressPassConstants& constants() const { return constants_; }
+  bool plastic() const { return plastic_; }
+  int dimension() const { return dimension_; }
+  std::string isa() const { return table_->name; }
+
+ private:
+  kernels::StressPassConstants constants_;
+  const kernels::KernelTable* table_;
+  int dimension_;
+  bool plastic_;
+};
+
+}  // namespace scarp

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// One stress point along the paths of laboratory tests against closed forms.
 
+#include <cmath>
+
+#include "engine/element/element_path.hpp"
 #include "engine/output/text_file.hpp"
 #include "kernels/constitutive/list.hpp"
 #include "validation/case_list.hpp"
-#include "validation/cases/element/closed_forms.hpp"
 #include "validation/cases/element/element_parts.hpp"
 
 namespace scarp::validation {
@@ -26,6 +28,16 @@ Scene with_cone(Scene scene, std::size_t cone) {
     material.parameters[kernels::DruckerPrager::cone] = static_cast<double>(cone);
   }
   return scene;
+}
+
+GradientIncrement shear_with_dilation_path(int dimension, double strain) {
+  // Where z does not strain, the dilation in the plane is a part of the deviator too: each of x and
+  // y is strain/2 - strain/3 off the mean, z -strain/3.
+  const double each = strain / dimension, mean = strain / 3.0;
+  const double z = dimension == 3 ? each : 0.0;
+  const double squares = 2.0 * std::pow(each - mean, 2) + std::pow(z - mean, 2);
+  const double half = 0.5 * std::sqrt(strain * strain - 2.0 * squares);
+  return {each, half, 0, half, each, 0, 0, 0, z};
 }
 
 void draw_stress_paths(CaseRun& run) {
@@ -54,14 +66,14 @@ void draw_stress_paths(CaseRun& run) {
       line << result.alpha_phi << result.k_c;
       line.end_row();
     }
-    if (path.path != ElementPath::isotropic) continue;
-    const PlasticSoil constants(result);
-    for (int n = 0; n <= 500; ++n) {  // pure shear with dilation, from its closed form
-      const auto at =
-          shear_with_dilation(constants, confining_pressure, 0.01 * n / 500, 0.01 * n / 500);
-      table << "pure shear with dilation" << -at.first_invariant / 3.0 << at.root_j2;
-      table.end_row();
-    }
+  }
+  const MaterialPoint point(scene, soil, 2, run.options().run);
+  PointState state = point.at({-confining_pressure, -confining_pressure, -confining_pressure});
+  for (int n = 0; n <= 500; ++n) {
+    if (n > 0) state = point.advance(state, shear_with_dilation_path(2, 0.01 / 500));
+    table << "pure shear with dilation" << -point.first_invariant(state) / 3.0
+          << point.root_j2(state);
+    table.end_row();
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "engine/element/material_point.hpp"
 #include "validation/case_run.hpp"
 
 namespace scarp::validation {
@@ -28,6 +29,10 @@ void plasticity_forms(CaseRun& run);
 /// Strain steps of a form: as given in the main form, a quarter in the short and four times as many
 /// in the full one.
 int steps_of(const CaseRun& run, int main);
+
+/// Pure shear with dilation: `strain` both of shear, gamma = sqrt(2 e:e) of the deviator, and of
+/// volume; without strain along z in 2D.
+GradientIncrement shear_with_dilation_path(int dimension, double strain);
 
 /// The scene's material of this name. Pre: it is there.
 std::size_t material_of(const Scene& scene, std::string_view name);

@@ -114,23 +114,15 @@ std::vector<Compared> isotropic(const Setting& at) {
            isotropic_extension(soil, B, 0.01), 3.0 * B}};
 }
 
-/// Pure shear with dilation in proportion, far enough that every soil with friction ends at its
-/// apex; the largest error on the way counts.
+/// Pure shear with dilation, far enough that every soil with friction ends at its apex; the largest
+/// error on the way counts.
 std::vector<Compared> shear_to_apex(const Setting& at) {
-  constexpr double shear = 0.01, dilation = 0.01;
+  constexpr double shear = 0.01;
   const PlasticSoil soil(at.driven(ElementPath::isotropic, 0.01, 4));
   const MaterialPoint point(at.scene, at.material, at.scene.dimension, at.options);
   const int steps = steps_of(at.run, 200);
   PointState state = point.at({-B, -B, -B, 0, 0, 0});
-  // Strain along x, y and z in 3D; plane strain has none along z, so its deviator lies in e_xx,
-  // e_yy, e_zz as well as in e_xy, and gamma is sqrt(2 e:e) of the deviator.
-  const double each = dilation / at.scene.dimension;
-  const double off = dilation / 3.0;
-  const double plane_part =
-      at.scene.dimension == 2 ? 2.0 * (2.0 * std::pow(each - off, 2) + off * off) : 0.0;
-  const double half = 0.5 * std::sqrt(shear * shear - plane_part);
-  const double z = at.scene.dimension == 3 ? each : 0.0;
-  GradientIncrement increment{each, half, 0, half, each, 0, 0, 0, z};
+  GradientIncrement increment = shear_with_dilation_path(at.scene.dimension, shear);
   for (double& part : increment) part /= steps;
   const double strength = soil.strength(-3.0 * B);
   Compared i1{"shear with dilation to the apex, I1", 0, 0, 3.0 * B},
@@ -144,7 +136,7 @@ std::vector<Compared> shear_to_apex(const Setting& at) {
   for (int n = 1; n <= steps; ++n) {
     state = point.advance(state, increment);
     const double share = static_cast<double>(n) / steps;
-    const auto exact = shear_with_dilation(soil, B, share * shear, share * dilation);
+    const auto exact = shear_with_dilation(soil, B, share * shear, share * shear);
     keep(i1, point.first_invariant(state), exact.first_invariant);
     keep(j, point.root_j2(state), exact.root_j2);
     keep(plastic, state.accumulated_plastic_strain, exact.accumulated_plastic);
@@ -175,8 +167,8 @@ class Errors {
     const std::string where = fmt::format("{}, {} {}D", soil, preset, at.scene.dimension);
     for (Worst& worst : worst_) {
       if (worst.quantity != one.quantity) continue;
-      // Written so that NaN is kept.
-      if (!(error <= worst.error)) worst = {one.quantity, where, error};
+      const bool larger = error > worst.error || std::isnan(error);
+      if (larger && !std::isnan(worst.error)) worst = {one.quantity, where, error};
       return;
     }
     worst_.push_back({one.quantity, where, error});

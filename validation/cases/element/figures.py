@@ -74,7 +74,8 @@ def plasticity(page, folder, figures):
     for ax in axes:
         ax.set_xlabel("axial strain [%]")
         ax.grid(alpha=0.25, linewidth=0.5)
-        ax.legend(fontsize=8)
+    axes[0].legend(fontsize=8)
     figure.tight_layout()
-    page.figure(figure, "Triaxial compression of soil_12 with the three forms of plasticity.",
+    page.figure(figure, "Triaxial compression of soil_12 with the three forms of plasticity. Left: 0 is on the yield "
+                "surface. What the rate forms miss, they miss in the step that first meets the surface.",
                 figures / "plasticity.png")

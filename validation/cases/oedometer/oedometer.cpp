@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/output/text_file.hpp"
 #include "engine/scene/facets.hpp"
 #include "validation/case_list.hpp"
 #include "validation/convergence.hpp"
@@ -72,6 +73,21 @@ Outcome measure(const Simulation& settled) {
   outcome.layer = settled.scene().spacing / column.height;
   outcome.k0 = horizontal / vertical;
   return outcome;
+}
+
+/// Vertical stress of the particles of a settled column beside the closed form, as a table.
+void write_profile(const CaseRun& run, const std::string& name, const Simulation& settled) {
+  const Column column(settled.scene());
+  const std::vector<double> position = settled.field("position"),
+                            displacement = settled.field("displacement"),
+                            stress = settled.field("stress");
+  CsvFile table(run.folder() / ("profile_" + name + ".csv"),
+                {"height [m]", "vertical_stress [Pa]", "closed_form [Pa]"});
+  for (std::size_t i = 0; i < settled.soil_count(); ++i) {
+    const double start = position[3 * i + 1] - displacement[3 * i + 1];
+    table << start << stress[6 * i + 1] << column.stress(start);
+    table.end_row();
+  }
 }
 
 /// What both errors tend to on a lattice of moment m: stress 1/m, settlement 1/m^2 times the true
@@ -150,6 +166,7 @@ void oedometer(CaseRun& run) {
         outcomes.push_back(measure(*last));
       }
       judge(run, fmt::format("{} {}D: ", preset, dimension), normalised, spacings, outcomes);
+      write_profile(run, fmt::format("{}_{}d", preset, dimension), *last);
     }
   }
   run.finish(&*last);

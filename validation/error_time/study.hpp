@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Runs a problem under all settings of a plan and says what error costs.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "validation/case_list.hpp"
+#include "validation/error_time/plan.hpp"
+#include "validation/error_time/run_log.hpp"
+
+namespace scarp::validation {
+
+struct StudyOptions {
+  std::vector<std::string> axes;
+  bool short_form = false;
+  int repeats = 3;
+  std::optional<double> budget_s;  ///< no run begins that is not expected to end within it
+  std::filesystem::path out = "out/error_time";
+  RunOptions run;
+  bool quiet = false;
+};
+
+/// A setting at a spacing, all its runs together.
+struct Point {
+  Trial trial;
+  std::string setting;   ///< in words
+  double spacing = 0.0;  ///< [m]
+  Numerics numerics;
+  RunStatus status = RunStatus::ok;
+  std::string reason;
+  bool reference = false;  ///< what the others are held against
+  double error = 0.0;      ///< relative; NaN unless the run was ok
+  double wall_s = 0.0;     ///< median over the repeats [s]
+  double spread = 0.0;     ///< (longest - shortest)/median; NaN for a single run
+  double cpu_s = 0.0;      ///< median [s]
+  double particles = 0.0, steps = 0.0, particle_steps = 0.0, memory_bytes = 0.0;
+  int repeats = 0;
+  bool on_front = false;
+};
+
+struct ErrorStudy {
+  std::string case_name, title, error;
+  std::vector<double> spacings;  ///< of the problem, coarse to fine [m]
+  std::vector<std::string> axes;
+  bool short_form = false;
+  Bench bench;
+  std::vector<Point> points;
+  std::vector<std::size_t> front;  ///< indices into `points`, by rising run time
+  std::optional<double> reference_error;  ///< estimated, of the run the others are held against
+  std::size_t left_out = 0;               ///< runs that the budget left no time for
+};
+
+/// Median of wall and CPU time, error and status from the runs of each trial; then the front.
+/// `outcomes` hold the error itself or a value against the reference's.
+void sum_up(ErrorStudy& study, const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs);
+
+/// Runs what the log does not hold yet, round robin over the settings. Errors: Error for a case
+/// without a scalar error; FileError, SceneError.
+ErrorStudy run_study(const CaseRow& row, const StudyOptions& options);
+
+/// How often a setting is run whose first run took `wall_s`: long runs scatter less.
+int repeats_for(double wall_s, int most);
+
+}  // namespace scarp::validation

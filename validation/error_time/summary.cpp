@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// From runs to points and their front.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/converge/richardson.hpp"
+#include "validation/error_time/study.hpp"
+
+namespace scarp::validation {
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+void take_costs(Point& point, const std::vector<RunRecord>& records) {
+  std::vector<double> wall, cpu;
+  for (const RunRecord& record : records) {
+    wall.push_back(record.wall_s);
+    cpu.push_back(record.cpu_s);
+  }
+  const RunRecord& first = records.front();
+  point.status = first.status;
+  point.reason = first.reason;
+  point.wall_s = median(wall);
+  point.cpu_s = median(cpu);
+  const auto [least, most] = std::minmax_element(wall.begin(), wall.end());
+  point.spread = wall.size() > 1 ? (*most - *least) / point.wall_s : std::nan("");
+  point.particles = first.particles;
+  point.steps = first.steps;
+  point.particle_steps = first.particle_steps;
+  point.memory_bytes = first.memory_bytes;
+  point.repeats = static_cast<int>(records.size());
+}
+
+/// Of the reference, from its own setting at the three finest spacings.
+std::optional<double> error_of_reference(
+    const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs, const Trial& reference) {
+  std::array<ValueAtSpacing, 3> values{};
+  std::size_t found = 0;
+  for (const auto& [point, records] : runs) {
+    const std::size_t finer = reference.level - point.trial.level;
+    if (point.trial.setting != reference.setting || finer > 2) continue;
+    values[2 - finer] = {point.spacing, records.front().outcome};
+    ++found;
+  }
+  if (found < 3) return {};
+  const double error = estimate_error(values).error.back();
+  return std::isfinite(error) ? std::optional(error) : std::nullopt;
+}
+
+}  // namespace
+
+void sum_up(ErrorStudy& study, const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs) {
+  std::optional<double> reference;
+  for (const auto& [point, records] : runs) {
+    if (!point.reference || records.front().status != RunStatus::ok) continue;
+    reference = records.front().outcome;
+    study.reference_error = error_of_reference(runs, point.trial);
+  }
+  const bool against_reference =
+      std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.first.reference; });
+  std::vector<ErrorTime> at;
+  for (const auto& [planned, records] : runs) {
+    Point point = planned;
+    take_costs(point, records);
+    const double outcome = records.front().outcome;
+    point.error = against_reference
+                      ? (reference ? std::fabs(outcome / *reference - 1.0) : std::nan(""))
+                      : std::fabs(outcome);
+    if (point.status != RunStatus::ok) point.error = std::nan("");
+    // The reference has no error of its own, and so no place on the front.
+    at.push_back({point.reference ? std::nan("") : point.error, point.wall_s});
+    study.points.push_back(std::move(point));
+  }
+  study.front = pareto_front(at);
+  for (const std::size_t f : study.front) study.points[f].on_front = true;
+}
+
+}  // namespace scarp::validation

@@ -29,6 +29,7 @@ void cuboid_3d(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
+extern const ErrorProblem slope_2d_problem;
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 
@@ -42,7 +43,7 @@ struct CaseRow {
 
 inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"slope_2d", "paper", "Cohesive slope in plane strain, strength cut by 1.4 (sample 1).",
-     slope_2d},
+     slope_2d, &slope_2d_problem},
     {"cuboid_3d", "paper", "Collapse of a granular cuboid behind a gate (sample 2).", cuboid_3d},
     {"oedometer", "verification", "Elastic column between smooth walls under its own weight.",
      oedometer, &oedometer_problem},

@@ -38,9 +38,9 @@ std::vector<bool> near_front(const std::vector<ErrorTime>& points, double factor
   std::vector<bool> near(points.size(), false);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ErrorTime& p = points[i];
-    near[i] = std::isfinite(p.error) && std::isfinite(p.wall_s) &&
-              std::none_of(points.begin(), points.end(),
-                           [&](const ErrorTime& q) { return beats(q, p); });
+    near[i] =
+        std::isfinite(p.error) && std::isfinite(p.wall_s) &&
+        std::none_of(points.begin(), points.end(), [&](const ErrorTime& q) { return beats(q, p); });
   }
   return near;
 }

@@ -36,9 +36,9 @@ struct TrialOutcome {
   ErrorTime at;
 };
 
-/// Neighbours of the changed settings that nothing beats by `near_factor`, not yet tried: two of one
-/// preset and spacing that change different axes together, and those at the last spacing but one at
-/// the finest one too.
+/// Neighbours of the changed settings that nothing beats by `near_factor`, not yet tried: two of
+/// one preset and spacing that change different axes together, and those at the last spacing but
+/// one at the finest one too.
 std::vector<Trial> neighbour_round(const std::vector<TrialOutcome>& tried,
                                    const PlanOptions& options);
 

@@ -93,8 +93,8 @@ RunLog::RunLog(std::filesystem::path path) : path_(std::move(path)) {
   std::ofstream stream(path_, std::ios::app);
   if (!whole_lines) stream << '\n';  // what was cut short must not swallow the next line
   if (!stream.flush()) {
-    throw FileError(fmt::format("'{}': cannot be written. Try another folder with -o.",
-                                path_.string()));
+    throw FileError(
+        fmt::format("'{}': cannot be written. Try another folder with -o.", path_.string()));
   }
 }
 

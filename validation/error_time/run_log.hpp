@@ -24,12 +24,12 @@ const char* word(RunStatus status);
 /// One run of one setting.
 struct RunRecord {
   std::string key;
-  std::string setting;  ///< in words
+  std::string setting;   ///< in words
   double spacing = 0.0;  ///< [m]
   int repeat = 0;
   RunStatus status = RunStatus::ok;
-  std::string reason;  ///< why it is not ok
-  double outcome = 0.0;  ///< what the problem returned
+  std::string reason;                ///< why it is not ok
+  double outcome = 0.0;              ///< what the problem returned
   double wall_s = 0.0, cpu_s = 0.0;  ///< of the stepping [s]
   double particles = 0.0, steps = 0.0, particle_steps = 0.0;
   double memory_bytes = 0.0;

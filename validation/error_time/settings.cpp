@@ -72,8 +72,9 @@ std::vector<std::string> parse_axes(const std::vector<std::string>& given) {
       start = end + 1;
       if (std::find(all.begin(), all.end(), name) == all.end()) {
         throw Error(fmt::format("--axis '{}': there is no such axis. {}", name,
-                                name.empty() ? "Try one of " + fmt::format("{}.", fmt::join(all, ", "))
-                                             : did_you_mean(name, all)));
+                                name.empty()
+                                    ? "Try one of " + fmt::format("{}.", fmt::join(all, ", "))
+                                    : did_you_mean(name, all)));
       }
       if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
     }

@@ -98,8 +98,7 @@ class Runner {
       if (record == nullptr) {
         const double expected = forecast_.of(trial).value_or(0.0);
         // Without the reference nothing has an error, so it is run whatever it costs.
-        const bool in_time =
-            !options_.budget_s || since_s(start_) + expected <= *options_.budget_s;
+        const bool in_time = !options_.budget_s || since_s(start_) + expected <= *options_.budget_s;
         if (!in_time && !is_reference(trial)) {
           ++left_out_;
           continue;
@@ -249,15 +248,7 @@ int repeats_for(double wall_s, int most) {
 }
 
 ErrorStudy run_study(const CaseRow& row, const StudyOptions& options) {
-  if (row.problem == nullptr) {
-    std::vector<std::string_view> names;
-    for (const CaseRow& other : case_list) {
-      if (other.problem != nullptr) names.push_back(other.name);
-    }
-    throw Error(fmt::format("case '{}': it has no scalar error to hold against run time. Those "
-                            "that have: {}.",
-                            row.name, fmt::join(names, ", ")));
-  }
+  require_problem(row);
   return Runner(row, options).run();
 }
 

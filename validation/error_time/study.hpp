@@ -48,7 +48,7 @@ struct ErrorStudy {
   bool short_form = false;
   Bench bench;
   std::vector<Point> points;
-  std::vector<std::size_t> front;  ///< indices into `points`, by rising run time
+  std::vector<std::size_t> front;         ///< indices into `points`, by rising run time
   std::optional<double> reference_error;  ///< estimated, of the run the others are held against
   std::size_t left_out = 0;               ///< runs that the budget left no time for
 };
@@ -57,8 +57,11 @@ struct ErrorStudy {
 /// `outcomes` hold the error itself or a value against the reference's.
 void sum_up(ErrorStudy& study, const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs);
 
-/// Runs what the log does not hold yet, round robin over the settings. Errors: Error for a case
-/// without a scalar error; FileError, SceneError.
+/// Errors: Error, naming the cases that have one, if the case has no scalar error.
+void require_problem(const CaseRow& row);
+
+/// Runs what the log does not hold yet, round robin over the settings. Errors: those of
+/// `require_problem`; FileError, SceneError.
 ErrorStudy run_study(const CaseRow& row, const StudyOptions& options);
 
 /// How often a setting is run whose first run took `wall_s`: long runs scatter less.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// From runs to points and their front.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "engine/converge/richardson.hpp"
+#include "engine/errors.hpp"
 #include "validation/error_time/study.hpp"
 
 namespace scarp::validation {
@@ -53,6 +56,17 @@ std::optional<double> error_of_reference(
 }
 
 }  // namespace
+
+void require_problem(const CaseRow& row) {
+  if (row.problem != nullptr) return;
+  std::vector<std::string_view> names;
+  for (const CaseRow& other : case_list) {
+    if (other.problem != nullptr) names.push_back(other.name);
+  }
+  throw Error(fmt::format(
+      "case '{}': it has no scalar error to hold against run time. Those that have: {}.", row.name,
+      fmt::join(names, ", ")));
+}
 
 void sum_up(ErrorStudy& study, const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs) {
   std::optional<double> reference;

@@ -67,6 +67,7 @@ int run_command(Arguments& arguments) {
     results["cases"].push_back(read_json(options.out / row->name / "results.json"));
   }
   results["pass"] = all_pass;
+  if (rows.size() > 1) write_overview(options.out);
   if (arguments.json == "-") fmt::print("{}\n", results.dump(2));
   if (!arguments.json.empty() && arguments.json != "-") {
     replace_file(arguments.json, results.dump(2) + "\n");
@@ -74,14 +75,28 @@ int run_command(Arguments& arguments) {
   return all_pass ? ok : failed;
 }
 
-/// Draws again the report of one case, or of every case in a folder.
+/// Draws the page over all cases in the folder, which cases.json names for it.
+void write_overview(const std::filesystem::path& folder) {
+  nlohmann::ordered_json json{{"format", "scarp cases"}, {"version", 1}};
+  json["cases"] = nlohmann::ordered_json::array();
+  for (const CaseRow& row : case_list) {
+    json["cases"].push_back({{"name", row.name}, {"set", row.set}, {"sentence", row.sentence}});
+  }
+  replace_file(folder / "cases.json", json.dump(2) + "\n");
+  fmt::print(stderr, "all cases: {}\n", write_report(folder));
+}
+
+/// Draws again the report of one case, of error against run time, or of everything in a folder.
 int report_command(const std::string& folder) {
   std::vector<std::filesystem::path> folders;
-  if (std::filesystem::exists(std::filesystem::path(folder) / "results.json")) {
-    folders.emplace_back(folder);
+  const std::filesystem::path here = folder;
+  const bool one = std::filesystem::exists(here / "results.json") ||
+                   std::filesystem::exists(here / "error_time.json");
+  if (one) {
+    folders.push_back(here);
   } else {
     for (const CaseRow& row : case_list) {
-      const std::filesystem::path inner = std::filesystem::path(folder) / row.name;
+      const std::filesystem::path inner = here / row.name;
       if (std::filesystem::exists(inner / "results.json")) folders.push_back(inner);
     }
   }
@@ -91,7 +106,11 @@ int report_command(const std::string& folder) {
         "'scarp-validate run' printed.",
         folder));
   }
+  if (!one && std::filesystem::exists(here / "error_time" / "error_time.json")) {
+    folders.push_back(here / "error_time");
+  }
   for (const auto& path : folders) fmt::print("{}\n", write_report(path));
+  if (!one) write_overview(here);
   return ok;
 }
 
@@ -147,8 +166,10 @@ int run_program(int argc, char** argv) {
       "error-time", "Error against run time: settings tried, the front, what to take");
   add_error_time(*error_time, arguments.error_time);
 
-  CLI::App* report = app.add_subcommand("report", "Draw the report of finished cases again");
-  report->add_option("folder", arguments.report_folder, "Folder of a case, or of several")
+  CLI::App* report =
+      app.add_subcommand("report", "Draw reports again: of a case, of all, of error-time");
+  report
+      ->add_option("folder", arguments.report_folder, "Folder of a case, of several, or error_time")
       ->required()
       ->check(CLI::ExistingDirectory);
 

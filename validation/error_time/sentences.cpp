@@ -18,7 +18,10 @@ namespace {
 /// A last halving that takes away less than a fifth of the error (order 0.3) is not convergence.
 constexpr double falls_below = 0.8;
 
-std::string percent(double error) { return fmt::format("{:.2g} %", 100.0 * error); }
+std::string percent(double error) {
+  return error < 0.995 ? fmt::format("{:.2g} %", 100.0 * error)
+                       : fmt::format("{:.0f} %", 100.0 * error);
+}
 
 std::string duration(double wall_s) {
   return wall_s < 1.0 ? fmt::format("{:.2g} s", wall_s) : cli::readable_duration(wall_s);

@@ -50,6 +50,17 @@ bool run_case(const CaseRow& row, const CaseOptions& options) {
   return passed(run.result());
 }
 
+/// Draws the page over all cases in the folder, which cases.json names for it.
+void write_overview(const std::filesystem::path& folder) {
+  nlohmann::ordered_json json{{"format", "scarp cases"}, {"version", 1}};
+  json["cases"] = nlohmann::ordered_json::array();
+  for (const CaseRow& row : case_list) {
+    json["cases"].push_back({{"name", row.name}, {"set", row.set}, {"sentence", row.sentence}});
+  }
+  replace_file(folder / "cases.json", json.dump(2) + "\n");
+  fmt::print(stderr, "all cases: {}\n", write_report(folder));
+}
+
 int run_command(Arguments& arguments) {
   const std::vector<const CaseRow*> rows = select_cases(arguments.cases);
   CaseOptions& options = arguments.options;
@@ -73,17 +84,6 @@ int run_command(Arguments& arguments) {
     replace_file(arguments.json, results.dump(2) + "\n");
   }
   return all_pass ? ok : failed;
-}
-
-/// Draws the page over all cases in the folder, which cases.json names for it.
-void write_overview(const std::filesystem::path& folder) {
-  nlohmann::ordered_json json{{"format", "scarp cases"}, {"version", 1}};
-  json["cases"] = nlohmann::ordered_json::array();
-  for (const CaseRow& row : case_list) {
-    json["cases"].push_back({{"name", row.name}, {"set", row.set}, {"sentence", row.sentence}});
-  }
-  replace_file(folder / "cases.json", json.dump(2) + "\n");
-  fmt::print(stderr, "all cases: {}\n", write_report(folder));
 }
 
 /// Draws again the report of one case, of error against run time, or of everything in a folder.

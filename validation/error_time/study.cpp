@@ -31,6 +31,9 @@ std::string read_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// Of the shortest runs.
+int most_repeats(int usual) { return 3 * usual; }
+
 class Runner {
  public:
   Runner(const CaseRow& row, const StudyOptions& options)
@@ -62,7 +65,7 @@ class Runner {
       trials_.insert(trials_.end(), next.begin(), next.end());
       pass(0, next);
     }
-    for (int repeat = 1; repeat < options_.repeats; ++repeat) pass(repeat, trials_);
+    for (int repeat = 1; repeat < most_repeats(options_.repeats); ++repeat) pass(repeat, trials_);
     return summary();
   }
 
@@ -174,7 +177,7 @@ class Runner {
     const auto count = [&](const Trial& trial, int which) {
       if (log_.find(key(trial, which)) != nullptr) return true;
       const std::optional<double> expected = forecast_.of(trial);
-      if (expected && which < std::max(1, repeats_for(*expected, options_.repeats))) {
+      if (expected && which < repeats_for(*expected, options_.repeats)) {
         total += *expected;
       }
       return expected.has_value();
@@ -182,7 +185,7 @@ class Runner {
     for (std::size_t k = from; k < trials.size(); ++k) {
       if (!count(trials[k], repeat)) return {};
     }
-    for (int later = repeat + 1; later < options_.repeats; ++later) {
+    for (int later = repeat + 1; later < most_repeats(options_.repeats); ++later) {
       for (const Trial& trial : trials_) count(trial, later);
     }
     return total;
@@ -215,7 +218,7 @@ class Runner {
       point.numerics = numerics_of(trial.setting, presets_.at(trial.setting.preset));
       point.reference = is_reference(trial);
       std::vector<RunRecord> records;
-      for (int repeat = 0; repeat < options_.repeats; ++repeat) {
+      for (int repeat = 0; repeat < most_repeats(options_.repeats); ++repeat) {
         if (const RunRecord* record = log_.find(key(trial, repeat))) records.push_back(*record);
       }
       if (!records.empty()) runs.emplace_back(std::move(point), std::move(records));
@@ -242,9 +245,11 @@ class Runner {
 
 }  // namespace
 
-int repeats_for(double wall_s, int most) {
-  const int reasonable = wall_s > 60.0 ? 1 : wall_s > 20.0 ? 2 : most;
-  return std::min(most, reasonable);
+int repeats_for(double wall_s, int usual) {
+  return wall_s < 0.2 ? most_repeats(usual)
+                      : std::min(usual, wall_s > 60.0   ? 1
+                                        : wall_s > 20.0 ? 2
+                                                        : usual);
 }
 
 ErrorStudy run_study(const CaseRow& row, const StudyOptions& options) {

@@ -16,7 +16,7 @@ namespace scarp::validation {
 struct StudyOptions {
   std::vector<std::string> axes;
   bool short_form = false;
-  int repeats = 3;
+  int repeats = 3;  ///< see `repeats_for`
   std::optional<double> budget_s;  ///< no run begins that is not expected to end within it
   std::filesystem::path out = "out/error_time";
   RunOptions run;
@@ -64,7 +64,8 @@ void require_problem(const CaseRow& row);
 /// `require_problem`; FileError, SceneError.
 ErrorStudy run_study(const CaseRow& row, const StudyOptions& options);
 
-/// How often a setting is run whose first run took `wall_s`: long runs scatter less.
-int repeats_for(double wall_s, int most);
+/// How often a setting is run whose first run took `wall_s`, if `usual` is the number for most: once
+/// from 60 s, twice from 20 s, three times the usual number below 0.2 s, where runs scatter most.
+int repeats_for(double wall_s, int usual);
 
 }  // namespace scarp::validation

@@ -47,7 +47,7 @@ def verdict_table(page, runs):
                      scarp.Raw(f'<a href="{scarp._escaped(_link(folder))}">{scarp._escaped(folder.name)}</a>'),
                      entry.get("sentence") or results.get("title", ""), SETS.get(entry.get("set"), ""),
                      results.get("form", ""), sum(m["pass"] is True for m in judged),
-                     sum(m["pass"] is False for m in judged), results.get("wall_s"), _when(folder)])
+                     sum(m["pass"] is False for m in judged), float(f"{results.get('wall_s') or 0:.3g}"), _when(folder)])
     page.table(["verdict", "case", "what it is", "held against", "form", "in band", "outside", "run time [s]", "run on"],
                [["" if cell is None else cell for cell in row] for row in rows])
 
@@ -110,9 +110,11 @@ def overview(folder):
     verdict_table(page, runs)
     page.section("What lies outside its band")
     failing(page, runs)
-    page.section("What the cases look like")
-    page.thumbnails([(one / "figures" / "main.png", _link(one), entry.get("sentence", one.name)) for one, entry, _ in runs
-                     if (one / "figures" / "main.png").exists()])
+    pictures = [(one / "figures" / "main.png", _link(one), f"{one.name}: {entry['sentence']}")
+                for one, entry, _ in runs if (one / "figures" / "main.png").exists()]
+    if pictures:
+        page.section("What the cases look like")
+        page.thumbnails(pictures)
     page.section("How errors fall with the spacing")
     orders(page, runs)
     if with_error_time:

@@ -23,6 +23,10 @@ def _usable(study):
     return [p for p in study["points"] if p["error"] is not None and p["error"] > 0 and not p["reference"]]
 
 
+def _rounded(value):
+    return float(f"{value:.3g}")
+
+
 def figure_of(study):
     """Error against run time, both logarithmic, with the front; None without a point to draw."""
     points = _usable(study)
@@ -53,6 +57,7 @@ def figure_of(study):
                     ha="right", va="top", fontsize=8, fontweight="bold")
     ax.set_xscale("log")
     ax.set_yscale("log")
+    ax.margins(x=0.09)
     low, high = ax.get_ylim()
     for target in (10, 5, 2, 1):
         if low < target < high:
@@ -81,7 +86,7 @@ def targets_table(page, study):
         for preset in ("modern", "paper"):
             p = None if one[preset] is None else study["points"][one[preset]]
             row += [p["setting"] if p else "not reached", p["spacing"] if p else None,
-                    p["wall_s"] if p else None]
+                    _rounded(p["wall_s"]) if p else None]
         rows.append(row)
     page.table(["error at most", "modern", "dx [m]", "run time [s]", "paper", "dx [m]", "run time [s]"],
                [["" if cell is None else cell for cell in row] for row in rows])
@@ -91,9 +96,9 @@ def front_table(page, study):
     rows = []
     for number, f in enumerate(study["front"], 1):
         p = study["points"][f]
-        rows.append([number, p["setting"], p["spacing"], 100 * p["error"], p["wall_s"],
-                     "" if p["wall_spread"] is None else f"{100 * p['wall_spread']:.0f} %", p["cpu_s"],
-                     p["particle_steps"] / 1e6, p["memory_bytes"] / 2**20])
+        rows.append([number, p["setting"], p["spacing"], _rounded(100 * p["error"]), _rounded(p["wall_s"]),
+                     "" if p["wall_spread"] is None else f"{100 * p['wall_spread']:.0f} %", _rounded(p["cpu_s"]),
+                     _rounded(p["particle_steps"] / 1e6), _rounded(p["memory_bytes"] / 2**20)])
     page.table(["", "setting", "dx [m]", "error [%]", "run time [s]", "spread", "CPU time [s]",
                 "particle-steps [M]", "memory [MiB]"], rows)
 
@@ -118,8 +123,9 @@ def changes_table(page, study):
             rows.append([p["preset"], change, p["status"], "", "", ""])
             continue
         base = own[0]
-        rows.append([p["preset"], change, 100 * p["error"], p["wall_s"],
-                     p["error"] / base["error"] if base["error"] else "", p["wall_s"] / base["wall_s"]])
+        rows.append([p["preset"], change, _rounded(100 * p["error"]), _rounded(p["wall_s"]),
+                     _rounded(p["error"] / base["error"]) if base["error"] else "",
+                     _rounded(p["wall_s"] / base["wall_s"])])
     rows.sort(key=lambda row: (row[0], row[1] != "as it stands"))
     page.section(f"One change at a time, dx = {spacing:g} m", level=3)
     page.table(["preset", "changed to", "error [%]", "run time [s]", "error over the preset's",
@@ -144,7 +150,8 @@ def error_time_page(folder):
                       "What a wanted error costs: spacing, preset, smoothing function, integrator and time step, "
                       "stress diffusion.")
     page.text("Each mark is one setting at one spacing; its run time is the median of repeated runs that took turns "
-              "with the other settings, of the time steps alone. The front joins the settings that no other beats "
+              "with the other settings, of the time steps alone; the spread is that of the middle half of these runs. The "
+              "front joins the settings that no other beats "
               "in both error and run time. Run times compare only with those of the same machine.")
     for _, study in all_studies:
         study_parts(page, study, folder / f"{study['case']}.png")

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "engine/cli/progress.hpp"
@@ -103,6 +104,13 @@ void say_preset(const ErrorStudy& study, const std::string& preset,
         "The preset {} as it stands never gets below {} here: its error does not fall with the "
         "last refinement ({}).",
         preset, percent(least), enumeration(series));
+    const auto moment = study.lattice_moments.find(preset);
+    if (moment != study.lattice_moments.end()) {
+      line += fmt::format(
+          " One reason, which no refinement removes: its lattice moment is {:.3f} instead of 1 "
+          "(THEORY.md, section 2).",
+          moment->second);
+    }
   } else {
     line = fmt::format(
         "The error of the preset {} as it stands falls with the spacing: {}; order "
@@ -138,12 +146,20 @@ void say_failures(const ErrorStudy& study, RunStatus status, const std::string& 
 
 std::optional<std::size_t> cheapest(const ErrorStudy& study, double target,
                                     const std::string& preset) {
-  std::optional<std::size_t> best;
+  std::vector<std::size_t> good;
+  double least_wall = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < study.points.size(); ++i) {
     const Point& point = study.points[i];
     if (!usable(point) || point.error > target) continue;
     if (!preset.empty() && point.trial.setting.preset != preset) continue;
-    if (!best || point.wall_s < study.points[*best].wall_s) best = i;
+    good.push_back(i);
+    least_wall = std::min(least_wall, point.wall_s);
+  }
+  std::optional<std::size_t> best;
+  for (const std::size_t i : good) {
+    const Point& point = study.points[i];
+    if (point.wall_s > near_factor * least_wall) continue;
+    if (!best || point.error < study.points[*best].error) best = i;
   }
   return best;
 }

@@ -14,7 +14,8 @@ namespace scarp::validation {
 /// Errors that a user may want.
 inline constexpr std::array targets{0.10, 0.05, 0.02, 0.01};
 
-/// The cheapest point whose error is at most `target`, of one preset or of any if it is empty.
+/// The cheapest point whose error is at most `target`, of one preset or of any if it is empty. Run
+/// times within `near_factor` of the least count as equal: of those the one with the least error.
 std::optional<std::size_t> cheapest(const ErrorStudy& study, double target,
                                     const std::string& preset = {});
 

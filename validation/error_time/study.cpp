@@ -46,7 +46,10 @@ class Runner {
         log_(cases_.folder() / "runs.jsonl"),
         forecast_(spacings_, 2) {
     for (const std::string& preset : cases_.presets()) {
-      presets_[preset] = cases_.scene_at(spacings_.front(), preset).numerics;
+      const Scene scene = cases_.scene_at(spacings_.front(), preset);
+      presets_[preset] = scene.numerics;
+      if (scene.numerics.lattice_normalisation) continue;
+      moments_[preset] = Simulation(scene, options.run).lattice_moment();
     }
     const Scene coarsest = cases_.scene_at(spacings_.front(), "modern");
     const Simulation probe(coarsest, options.run);
@@ -208,6 +211,7 @@ class Runner {
     study.axes = options_.axes;
     study.short_form = options_.short_form;
     study.bench = bench_;
+    study.lattice_moments = moments_;
     study.left_out = left_out_;
     std::vector<std::pair<Point, std::vector<RunRecord>>> runs;
     for (const Trial& trial : trials_) {
@@ -236,6 +240,7 @@ class Runner {
   RunLog log_;
   Forecast forecast_;
   PresetNumerics presets_;
+  std::map<std::string, double> moments_;
   Bench bench_;
   std::string scene_text_, title_;
   std::vector<Trial> trials_;

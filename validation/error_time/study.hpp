@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ namespace scarp::validation {
 struct StudyOptions {
   std::vector<std::string> axes;
   bool short_form = false;
-  int repeats = 3;  ///< see `repeats_for`
+  int repeats = 3;                 ///< see `repeats_for`
   std::optional<double> budget_s;  ///< no run begins that is not expected to end within it
   std::filesystem::path out = "out/error_time";
   RunOptions run;
@@ -34,7 +35,7 @@ struct Point {
   bool reference = false;  ///< what the others are held against
   double error = 0.0;      ///< relative; NaN unless the run was ok
   double wall_s = 0.0;     ///< median over the repeats [s]
-  double spread = 0.0;     ///< (longest - shortest)/median; NaN for a single run
+  double spread = 0.0;     ///< middle half of the run times over the median; NaN for a single run
   double cpu_s = 0.0;      ///< median [s]
   double particles = 0.0, steps = 0.0, particle_steps = 0.0, memory_bytes = 0.0;
   int repeats = 0;
@@ -48,7 +49,9 @@ struct ErrorStudy {
   bool short_form = false;
   Bench bench;
   std::vector<Point> points;
-  std::vector<std::size_t> front;         ///< indices into `points`, by rising run time
+  std::vector<std::size_t> front;  ///< indices into `points`, by rising run time
+  /// Presets that keep the moment of the lattice, and that moment.
+  std::map<std::string, double> lattice_moments;
   std::optional<double> reference_error;  ///< estimated, of the run the others are held against
   std::size_t left_out = 0;               ///< runs that the budget left no time for
 };
@@ -64,8 +67,9 @@ void require_problem(const CaseRow& row);
 /// `require_problem`; FileError, SceneError.
 ErrorStudy run_study(const CaseRow& row, const StudyOptions& options);
 
-/// How often a setting is run whose first run took `wall_s`, if `usual` is the number for most: once
-/// from 60 s, twice from 20 s, three times the usual number below 0.2 s, where runs scatter most.
+/// How often a setting is run whose first run took `wall_s`, if `usual` is the number for most:
+/// once from 60 s, twice from 20 s, three times the usual number below 0.2 s, where runs scatter
+/// most.
 int repeats_for(double wall_s, int usual);
 
 }  // namespace scarp::validation

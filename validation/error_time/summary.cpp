@@ -13,10 +13,13 @@
 namespace scarp::validation {
 namespace {
 
-double median(std::vector<double> values) {
+/// Linear between the sorted values: share 0.5 is the median.
+double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
 void take_costs(Point& point, const std::vector<RunRecord>& records) {
@@ -28,10 +31,10 @@ void take_costs(Point& point, const std::vector<RunRecord>& records) {
   const RunRecord& first = records.front();
   point.status = first.status;
   point.reason = first.reason;
-  point.wall_s = median(wall);
-  point.cpu_s = median(cpu);
-  const auto [least, most] = std::minmax_element(wall.begin(), wall.end());
-  point.spread = wall.size() > 1 ? (*most - *least) / point.wall_s : std::nan("");
+  point.wall_s = quantile(wall, 0.5);
+  point.cpu_s = quantile(cpu, 0.5);
+  point.spread =
+      wall.size() > 1 ? (quantile(wall, 0.75) - quantile(wall, 0.25)) / point.wall_s : std::nan("");
   point.particles = first.particles;
   point.steps = first.steps;
   point.particle_steps = first.particle_steps;
@@ -86,8 +89,10 @@ void sum_up(ErrorStudy& study, const std::vector<std::pair<Point, std::vector<Ru
                       ? (reference ? std::fabs(outcome / *reference - 1.0) : std::nan(""))
                       : std::fabs(outcome);
     if (point.status != RunStatus::ok) point.error = std::nan("");
-    // The reference has no error of its own, and so no place on the front.
-    at.push_back({point.reference ? std::nan("") : point.error, point.wall_s});
+    // The reference has no error of its own, and so no place on the front; an error of the size of
+    // the answer is none.
+    const bool answers = !point.reference && point.error < 1.0;
+    at.push_back({answers ? point.error : std::nan(""), point.wall_s});
     study.points.push_back(std::move(point));
   }
   study.front = pareto_front(at);

@@ -20,7 +20,8 @@ struct ErrorProblem {
   std::array<double, 4> spacings;  ///< coarse to fine [m]
   /// Runs the scene to its end and returns the relative error. Errors: those of the library.
   double (*outcome)(CaseRun& run, const Scene& scene);
-  /// The outcome is a value to be held against the finest run's, not an error.
+  /// The outcome is a value, not an error, to be held against what it tends to at the finest
+  /// spacings.
   bool against_finest = false;
 };
 
@@ -29,6 +30,7 @@ void cuboid_3d(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
+void element(CaseRun& run);
 extern const ErrorProblem slope_2d_problem;
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
@@ -50,6 +52,7 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
+    {"element", "verification", "One stress point along the paths of laboratory tests.", element},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

@@ -24,6 +24,14 @@ struct StudyOptions {
   bool quiet = false;
 };
 
+/// What values are held against that have no error of their own.
+struct Reference {
+  double value = 0.0;
+  /// Observed order of the three finest spacings by which the value is extrapolated to spacing 0;
+  /// empty: the finest run's own value.
+  std::optional<double> order;
+};
+
 /// A setting at a spacing, all its runs together.
 struct Point {
   Trial trial;
@@ -32,7 +40,7 @@ struct Point {
   Numerics numerics;
   RunStatus status = RunStatus::ok;
   std::string reason;
-  bool reference = false;  ///< what the others are held against
+  bool reference = false;  ///< the finest run of those that the others are held against
   double error = 0.0;      ///< relative; NaN unless the run was ok
   double wall_s = 0.0;     ///< median over the repeats [s]
   double spread = 0.0;     ///< middle half of the run times over the median; NaN for a single run
@@ -52,12 +60,13 @@ struct ErrorStudy {
   std::vector<std::size_t> front;  ///< indices into `points`, by rising run time
   /// Presets that keep the moment of the lattice, and that moment.
   std::map<std::string, double> lattice_moments;
-  std::optional<double> reference_error;  ///< estimated, of the run the others are held against
-  std::size_t left_out = 0;               ///< runs that the budget left no time for
+  std::optional<Reference> reference;  ///< if the problem has no error of its own
+  std::size_t left_out = 0;            ///< runs that the budget left no time for
 };
 
 /// Median of wall and CPU time, error and status from the runs of each trial; then the front.
-/// `outcomes` hold the error itself or a value against the reference's.
+/// An outcome is the
+/// error itself, or a value if one of the points is the reference.
 void sum_up(ErrorStudy& study, const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs);
 
 /// Errors: Error, naming the cases that have one, if the case has no scalar error.

@@ -42,20 +42,29 @@ void take_costs(Point& point, const std::vector<RunRecord>& records) {
   point.repeats = static_cast<int>(records.size());
 }
 
-/// Of the reference, from its own setting at the three finest spacings.
-std::optional<double> error_of_reference(
-    const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs, const Trial& reference) {
+using Runs = std::vector<std::pair<Point, std::vector<RunRecord>>>;
+
+/// What the setting of the reference tends to, from its three finest spacings; the finest value
+/// itself where they do not converge or are not there. Empty without the finest run.
+std::optional<Reference> reference_of(const Runs& runs, const Trial& reference) {
   std::array<ValueAtSpacing, 3> values{};
-  std::size_t found = 0;
+  std::array<bool, 3> found{};
   for (const auto& [point, records] : runs) {
     const std::size_t finer = reference.level - point.trial.level;
     if (point.trial.setting != reference.setting || finer > 2) continue;
+    if (records.front().status != RunStatus::ok) continue;
     values[2 - finer] = {point.spacing, records.front().outcome};
-    ++found;
+    found[2 - finer] = true;
   }
-  if (found < 3) return {};
-  const double error = estimate_error(values).error.back();
-  return std::isfinite(error) ? std::optional(error) : std::nullopt;
+  if (!found[2]) return {};
+  Reference value{values[2].value, {}};
+  if (found[0] && found[1]) {
+    const ErrorEstimate estimate = estimate_error(values);
+    if (estimate.extrapolated && estimate.trend != Trend::equal) {
+      value = {*estimate.extrapolated, estimate.order};
+    }
+  }
+  return value;
 }
 
 }  // namespace
@@ -72,27 +81,25 @@ void require_problem(const CaseRow& row) {
 }
 
 void sum_up(ErrorStudy& study, const std::vector<std::pair<Point, std::vector<RunRecord>>>& runs) {
-  std::optional<double> reference;
+  bool has_reference = false;
   for (const auto& [point, records] : runs) {
-    if (!point.reference || records.front().status != RunStatus::ok) continue;
-    reference = records.front().outcome;
-    study.reference_error = error_of_reference(runs, point.trial);
+    if (!point.reference) continue;
+    has_reference = true;
+    study.reference = reference_of(runs, point.trial);
   }
-  const bool against_reference =
-      std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.first.reference; });
   std::vector<ErrorTime> at;
   for (const auto& [planned, records] : runs) {
     Point point = planned;
     take_costs(point, records);
     const double outcome = records.front().outcome;
-    point.error = against_reference
-                      ? (reference ? std::fabs(outcome / *reference - 1.0) : std::nan(""))
-                      : std::fabs(outcome);
-    if (point.status != RunStatus::ok) point.error = std::nan("");
-    // The reference has no error of its own, and so no place on the front; an error of the size of
-    // the answer is none.
-    const bool answers = !point.reference && point.error < 1.0;
-    at.push_back({answers ? point.error : std::nan(""), point.wall_s});
+    point.error = !has_reference    ? std::fabs(outcome)
+                  : study.reference ? std::fabs(outcome / study.reference->value - 1.0)
+                                    : std::nan("");
+    // A run that is held against itself has no error.
+    const bool itself = point.reference && study.reference && !study.reference->order;
+    if (point.status != RunStatus::ok || itself) point.error = std::nan("");
+    // An error of the size of the answer is no place on the front.
+    at.push_back({point.error < 1.0 ? point.error : std::nan(""), point.wall_s});
     study.points.push_back(std::move(point));
   }
   study.front = pareto_front(at);

@@ -236,20 +236,27 @@ TEST(ErrorTimeSentences, EqualRunTimesAreDecidedByTheError) {
   EXPECT_FALSE(cheapest(study, 0.01));
 }
 
-TEST(ErrorTimeSentences, ValuesAreHeldAgainstTheReference) {
+TEST(ErrorTimeSentences, ValuesAreHeldAgainstWhatTheyTendTo) {
+  // 1 + h^2: second order, the limit is 1.
   ErrorStudy study;
-  auto reference = run_of("modern", 3, 1.01, 100.0);
-  reference.first.reference = true;
-  // 1 + h^2: the reference itself is off by 1/64.
-  reference.second.front().outcome = 1.0 + 1.0 / 64.0;
-  sum_up(study, {run_of("modern", 1, 1.25, 1.0), run_of("modern", 2, 1.0625, 10.0), reference});
-  EXPECT_NEAR(study.points[0].error, 1.25 / 1.015625 - 1.0, 1e-12);
-  ASSERT_TRUE(study.reference_error);
-  EXPECT_NEAR(*study.reference_error, 1.0 / 64.0, 1e-9);
-  EXPECT_EQ(study.front, (std::vector<std::size_t>{0, 1}));
-  EXPECT_TRUE(says(sentences(study),
-                   "held against modern at dx = 0.125 m, whose own error is "
-                   "estimated at 1.6 %"));
+  auto finest = run_of("modern", 3, 1.0 + 1.0 / 64.0, 100.0);
+  finest.first.reference = true;
+  sum_up(study, {run_of("modern", 1, 1.25, 1.0), run_of("modern", 2, 1.0625, 10.0), finest});
+  ASSERT_TRUE(study.reference);
+  EXPECT_NEAR(study.reference->value, 1.0, 1e-9);
+  EXPECT_NEAR(study.points[0].error, 0.25, 1e-9);
+  EXPECT_EQ(study.front, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_TRUE(says(sentences(study), "order 2); at the finest, 0.125 m, it is still off by 1.6 %"));
+}
+
+TEST(ErrorTimeSentences, WithoutThreeSpacingsTheFinestRunItselfIsTheReference) {
+  ErrorStudy study;
+  auto finest = run_of("modern", 1, 1.25, 10.0);
+  finest.first.reference = true;
+  sum_up(study, {run_of("modern", 0, 1.5, 1.0), finest});
+  EXPECT_NEAR(study.points[0].error, 0.2, 1e-12);
+  EXPECT_EQ(study.front, (std::vector<std::size_t>{0})) << "the reference has no error to show";
+  EXPECT_TRUE(says(sentences(study), "modern at dx = 0.5 m, whose own error"));
 }
 
 TEST(ErrorTimeRepeats, LongRunsAreFewAndShortOnesMany) {

@@ -20,7 +20,7 @@ def studies(folder):
 
 
 def _usable(study):
-    return [p for p in study["points"] if p["error"] is not None and p["error"] > 0 and not p["reference"]]
+    return [p for p in study["points"] if p["error"] is not None and p["error"] > 0]
 
 
 def _rounded(value):

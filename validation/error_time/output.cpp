@@ -95,7 +95,6 @@ Json json_of(const ErrorStudy& study) {
             {"short", study.short_form},
             {"spacings", study.spacings},
             {"axes", study.axes},
-            {"reference_error", study.reference_error ? Json(*study.reference_error) : Json()},
             {"runs_left_out", study.left_out},
             {"sentences", sentences(study)},
             {"front", study.front},
@@ -105,6 +104,11 @@ Json json_of(const ErrorStudy& study) {
             {"threads", study.bench.threads},
             {"machine", {{"processor", study.bench.processor}}},
             {"versions", {{"scarp", study.bench.version}, {"compiler", __VERSION__}}}};
+  json["reference"] =
+      study.reference
+          ? Json{{"value", study.reference->value},
+                 {"order", study.reference->order ? Json(*study.reference->order) : Json()}}
+          : Json();
   for (const double target : targets) {
     json["targets"].push_back({{"target", target},
                                {"cheapest", index_or_null(cheapest(study, target))},

@@ -173,14 +173,19 @@ std::vector<std::string> sentences(const ErrorStudy& study) {
   const auto reference = std::find_if(study.points.begin(), study.points.end(),
                                       [](const Point& point) { return point.reference; });
   if (reference != study.points.end()) {
-    std::string line =
-        fmt::format("There is no closed form: errors are held against {}", place(*reference));
-    line += study.reference_error
-                ? fmt::format(
-                      ", whose own error is estimated at {} (Richardson, three spacings). "
-                      "Errors smaller than that are not told apart.",
-                      percent(*study.reference_error))
-                : std::string(", whose own error these runs do not tell.");
+    std::string line = "There is no closed form: errors are held against ";
+    if (!study.reference) {
+      line += fmt::format("{}, which has no result.", place(*reference));
+    } else if (study.reference->order) {
+      line += fmt::format(
+          "what {} tends to at its three finest spacings (Richardson, order {:.2g}); at the "
+          "finest, "
+          "{:g} m, it is still off by {}.",
+          reference->setting, *study.reference->order, reference->spacing,
+          percent(reference->error));
+    } else {
+      line += fmt::format("{}, whose own error these runs do not tell.", place(*reference));
+    }
     lines.push_back(line);
   }
   if (study.left_out > 0) {

@@ -197,7 +197,7 @@ class Runner {
   std::vector<TrialOutcome> tried() const {
     std::vector<TrialOutcome> outcomes;
     for (const Point& point : summary().points) {
-      if (!point.reference) outcomes.push_back({point.trial, {point.error, point.wall_s}});
+      outcomes.push_back({point.trial, {point.error, point.wall_s}});
     }
     return outcomes;
   }

@@ -31,7 +31,7 @@ def introduction(page, runs, with_error_time):
     page.text(f"scarp computes slopes and granular masses that fail, by smoothed-particle hydrodynamics. It is judged on "
               f"{len(runs)} cases here: the paper's own samples, and problems whose answer is known from a closed form, "
               f"an independent method or a published experiment. Together they hold {len(measures)} numbers "
-              f"against what is known; {len(measures) - failed} lie in their band, {failed} do not.")
+              f"against what is known; {len(measures) - failed} in their band, {failed} outside.")
     page.text("Each number has a band that was fixed with its reason before it was measured; the reason stands in the "
               "README of the case. A number outside its band fails its case. The short form of a case is coarse and "
               "checks that nothing has changed; the main form is the published one; the full form adds finer spacings.")
@@ -79,7 +79,7 @@ def orders(page, runs):
         page.text("No case was run at two spacings or more; the main and full forms are.")
         return
     page.text("Slope of log error over log spacing. An error of the lattice moment, which the preset paper keeps, does not "
-              "fall, and its order is near 0.")
+              "fall, and its order is near 0. The order of an error that is already tiny says nothing.")
     page.table(["case", "error of", "dx [m], coarse to fine", "error", "order"], rows)
 
 

@@ -52,12 +52,18 @@ def figure_of(study):
     front = [study["points"][f] for f in study["front"]]
     ax.plot([p["wall_s"] for p in front], [100 * p["error"] for p in front], color="#222222", linewidth=1.1,
             drawstyle="steps-post", label="front: nothing is better in both", zorder=2)
+    crowded = 0
     for number, p in enumerate(front, 1):
-        ax.annotate(str(number), (p["wall_s"], 100 * p["error"]), xytext=(-4, -5), textcoords="offset points",
-                    ha="right", va="top", fontsize=8, fontweight="bold")
+        before = front[number - 2] if number > 1 else None
+        close = before and p["wall_s"] < 1.1 * before["wall_s"] and p["error"] > 0.9 * before["error"]
+        crowded = crowded + 1 if close else 0
+        ax.annotate(str(number), (p["wall_s"], 100 * p["error"]), xytext=(-4, -5 - 9 * crowded),
+                    textcoords="offset points", ha="right", va="top", fontsize=8, fontweight="bold")
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.margins(x=0.09)
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_formatter(lambda value, _: f"{value:g}")
     low, high = ax.get_ylim()
     for target in (10, 5, 2, 1):
         if low < target < high:
@@ -66,7 +72,6 @@ def figure_of(study):
                         textcoords="offset points", ha="right", fontsize=8, color="#666666")
     ax.set_xlabel("run time [s]")
     ax.set_ylabel("error [%]")
-    ax.set_title(study["error"], fontsize=10, loc="left")
     ax.grid(alpha=0.2, linewidth=0.5, which="both")
     ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8, frameon=False)
     return figure
@@ -134,7 +139,7 @@ def changes_table(page, study):
 
 def study_parts(page, study, file=None, level=2):
     """Sentences and figure, which is kept as `file`."""
-    page.section(f"{study['case']}: {study['title']}", anchor=f"error_time_{study['case']}", level=level)
+    page.section(f"{study['case']}: {study['error']}", anchor=f"error_time_{study['case']}", level=level)
     for sentence in study["sentences"]:
         page.text(sentence)
     figure = figure_of(study)

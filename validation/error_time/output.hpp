@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A study as JSON, CSV and text; formats in `validation/error_time/FORMATS.md`.
+/// A study as JSON, CSV and text; formats in `engine/output/FORMATS.md`.
 #pragma once
 
 #include <filesystem>

@@ -37,7 +37,7 @@ std::string enumeration(const std::vector<std::string>& words) {
   return text;
 }
 
-bool usable(const Point& point) { return !point.reference && std::isfinite(point.error); }
+bool usable(const Point& point) { return std::isfinite(point.error); }
 
 std::optional<std::size_t> least_error(const ErrorStudy& study, const std::string& preset = {}) {
   std::optional<std::size_t> least;

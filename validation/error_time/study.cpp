@@ -194,10 +194,11 @@ class Runner {
     return total;
   }
 
+  /// By first runs alone, so that a later call with more repeats chooses the same neighbours.
   std::vector<TrialOutcome> tried() const {
     std::vector<TrialOutcome> outcomes;
     for (const Point& point : summary().points) {
-      outcomes.push_back({point.trial, {point.error, point.wall_s}});
+      outcomes.push_back({point.trial, {point.error, log_.find(key(point.trial, 0))->wall_s}});
     }
     return outcomes;
   }
@@ -225,7 +226,8 @@ class Runner {
       for (int repeat = 0; repeat < most_repeats(options_.repeats); ++repeat) {
         if (const RunRecord* record = log_.find(key(trial, repeat))) records.push_back(*record);
       }
-      if (!records.empty()) runs.emplace_back(std::move(point), std::move(records));
+      if (log_.find(key(trial, 0)) != nullptr)
+        runs.emplace_back(std::move(point), std::move(records));
     }
     sum_up(study, runs);
     return study;

@@ -117,6 +117,15 @@ TEST(ErrorTimePlan, TheReferenceIsAloneAtTheFinestSpacing) {
   EXPECT_NE(std::find(trials.begin(), trials.end(), *reference_trial(options)), trials.end());
 }
 
+TEST(ErrorTimePlan, TheReferenceHasThreeSpacingsWhateverTheAxes) {
+  const std::vector<Trial> trials = first_round(presets(), {{"stress_diffusion"}, false, true});
+  const std::vector<Trial> expected{{{"modern", {}}, 2},
+                                    {{"modern", {}}, 1},
+                                    {{"modern", {}}, 3},
+                                    {{"modern", {{axis("stress_diffusion"), 0}}}, 2}};
+  EXPECT_EQ(trials, expected);
+}
+
 TEST(ErrorTimePlan, NeighboursJoinGoodChangesOfOnePresetAndGoToTheFinestSpacing) {
   const Setting smooth{"modern", {{axis("smoothing"), 0}}},
       fast{"modern", {{axis("integrator"), 5}}}, other{"paper", {{axis("integrator"), 5}}},

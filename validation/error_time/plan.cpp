@@ -26,6 +26,18 @@ std::vector<std::size_t> compared_levels(const PlanOptions& options, bool whole_
   return levels;
 }
 
+/// The reference after the two next coarser runs of its setting, from which its limit is told.
+std::vector<Trial> reference_series(const PlanOptions& options) {
+  std::vector<Trial> series;
+  if (const std::optional<Trial> reference = reference_trial(options)) {
+    const std::size_t coarser = std::min<std::size_t>(reference->level, 2);
+    for (std::size_t level = reference->level - coarser; level <= reference->level; ++level) {
+      series.push_back({reference->setting, level});
+    }
+  }
+  return series;
+}
+
 /// One change each, of the axes asked for, that the preset does not make itself.
 std::vector<Setting> variants(const std::string& preset, const Numerics& own,
                               const PlanOptions& options) {
@@ -68,7 +80,9 @@ std::vector<Trial> first_round(const PresetNumerics& presets, const PlanOptions&
   }
   std::stable_sort(trials.begin(), trials.end(),
                    [](const Trial& a, const Trial& b) { return a.level < b.level; });
-  if (const auto reference = reference_trial(options)) trials.push_back(*reference);
+  for (const Trial& trial : reference_series(options)) {
+    if (std::find(trials.begin(), trials.end(), trial) == trials.end()) trials.push_back(trial);
+  }
   for (const std::size_t level : compared_levels(options, false)) {
     for (const Setting& setting : changed) trials.push_back({setting, level});
   }

@@ -27,8 +27,9 @@ std::size_t finest_level(const PlanOptions& options);
 /// The run that others are held against, if the problem has no error of its own.
 std::optional<Trial> reference_trial(const PlanOptions& options);
 
-/// Presets as they stand at all spacings, then with one choice changed at all but the finest. The
-/// finest is the reference's alone if there is one: settings are compared where it is finer.
+/// Presets as they stand at all spacings, then with one choice changed at all but the finest. If
+/// there is a reference, the finest spacing is its alone, and its setting is run at the three
+/// finest whatever the axes.
 std::vector<Trial> first_round(const PresetNumerics& presets, const PlanOptions& options);
 
 struct TrialOutcome {

@@ -64,6 +64,8 @@ def figure_of(study):
     ax.margins(x=0.09)
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_formatter(lambda value, _: f"{value:g}")
+        axis.set_minor_formatter(lambda value, _: f"{value:g}" if f"{value:e}"[0] in "25" else "")
+        axis.set_tick_params(which="minor", labelsize=7)
     low, high = ax.get_ylim()
     for target in (10, 5, 2, 1):
         if low < target < high:
@@ -86,14 +88,15 @@ def caption(study):
 def targets_table(page, study):
     """The cheapest setting of each preset for each error."""
     rows = []
+    presets = [preset for preset in COLOUR if any(p["preset"] == preset for p in study["points"])]
     for one in study["targets"]:
         row = [f"{100 * one['target']:g} %"]
-        for preset in ("modern", "paper"):
+        for preset in presets:
             p = None if one[preset] is None else study["points"][one[preset]]
             row += [p["setting"] if p else "not reached", p["spacing"] if p else None,
                     _rounded(p["wall_s"]) if p else None]
         rows.append(row)
-    page.table(["error at most", "modern", "dx [m]", "run time [s]", "paper", "dx [m]", "run time [s]"],
+    page.table(["error at most"] + [title for preset in presets for title in (preset, "dx [m]", "run time [s]")],
                [["" if cell is None else cell for cell in row] for row in rows])
 
 

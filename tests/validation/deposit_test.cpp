@@ -74,14 +74,17 @@ TEST(DepositTest, QuantileLeavesOutTheFarthestGrains) {
 
 TEST(DepositTest, MainBodyLeavesOutLooseGrains) {
   std::vector<double> position;
-  const auto put = [&](double x, double y) { position.insert(position.end(), {x, y, 0.0}); };
+  const auto put = [&](double x, double y) {
+    for (const double value : {x, y, 0.0}) position.push_back(value);
+  };
   put(5.0, 0.0);                                   // 0: loose, between
   for (int i = 0; i < 4; ++i) put(0.14 * i, 0.0);  // 1 to 4: a chain
   put(0.42 + 0.16, 0.0);                           // 5: just too far
   put(-0.1, -0.1);                                 // 6: across the cells' corner
   std::vector<std::size_t> body = main_body(position, 0.15);
   std::sort(body.begin(), body.end());
-  EXPECT_EQ(body, (std::vector<std::size_t>{1, 2, 3, 4, 6}));
+  const std::vector<std::size_t> expected{1, 2, 3, 4, 6};
+  EXPECT_EQ(body, expected);
 }
 
 TEST(DepositTest, ProfilesSurviveTheirFile) {

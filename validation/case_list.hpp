@@ -29,8 +29,12 @@ void cuboid_3d(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
+void column_2d(CaseRun& run);
+void column_axisymmetric(CaseRun& run);
+void aluminium_bars(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
+extern const ErrorProblem aluminium_bars_problem;
 
 struct CaseRow {
   std::string_view name;
@@ -49,6 +53,13 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
+    {"column_2d", "verification", "Granular columns in plane strain against run-out laws.",
+     column_2d},
+    {"column_axisymmetric", "verification", "Granular cylinders against run-out laws.",
+     column_axisymmetric},
+    {"aluminium_bars", "verification",
+     "Collapse of a stack of aluminium bars against its experiment.", aluminium_bars,
+     &aluminium_bars_problem},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

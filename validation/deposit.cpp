@@ -198,4 +198,13 @@ std::vector<std::size_t> main_body(const std::vector<double>& position, double r
   return largest;
 }
 
+double share_through_walls(const std::vector<double>& position, int dimension, double spacing) {
+  std::size_t through = 0;
+  for (std::size_t i = 0; i < position.size(); i += 3) {
+    const double z = dimension == 3 ? position[i + 2] : 0.0;
+    if (std::min({position[i], position[i + 1], z}) < -spacing) ++through;
+  }
+  return 3.0 * static_cast<double>(through) / static_cast<double>(position.size());
+}
+
 }  // namespace scarp::validation

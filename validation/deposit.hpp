@@ -42,4 +42,9 @@ double quantile(std::vector<double> values, double share);
 /// z of each [m].
 std::vector<std::size_t> main_body(const std::vector<double>& position, double reach);
 
+/// Share of the particles more than a spacing below the base or behind the symmetry planes at 0
+/// (2D: x and y; 3D: x, y and z). A lone grain may sit up to half a spacing deep in a wall, where
+/// the wall's first layer of particles stops it.
+double share_through_walls(const std::vector<double>& position, int dimension, double spacing);
+
 }  // namespace scarp::validation

@@ -87,6 +87,12 @@ TEST(DepositTest, MainBodyLeavesOutLooseGrains) {
   EXPECT_EQ(body, expected);
 }
 
+TEST(DepositTest, SoilBehindAWallIsLost) {
+  const std::vector<double> position{1, 1, -9, 1, -0.9, -9, 1, -1.1, -9, -1.1, 1, -9};
+  EXPECT_EQ(share_through_walls(position, 2, 1.0), 0.5);  // z does not matter in 2D
+  EXPECT_EQ(share_through_walls(position, 3, 1.0), 1.0);
+}
+
 TEST(DepositTest, ProfilesSurviveTheirFile) {
   const auto path = std::filesystem::temp_directory_path() / "scarp_deposit_test.csv";
   const Profile written{{0.0, 0.25, 1.0}, {0.5, 0.125, 0.0}};

@@ -29,6 +29,7 @@ void cuboid_3d(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
+void element(CaseRun& run);
 void column_2d(CaseRun& run);
 void column_axisymmetric(CaseRun& run);
 void aluminium_bars(CaseRun& run);
@@ -53,6 +54,7 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
+    {"element", "verification", "One stress point along the paths of laboratory tests.", element},
     {"column_2d", "verification", "Granular columns in plane strain against run-out laws.",
      column_2d},
     {"column_axisymmetric", "verification", "Granular cylinders against run-out laws.",

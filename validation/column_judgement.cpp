@@ -142,7 +142,9 @@ void judge_control(CaseRun& run, const std::string& who, const ColumnDeposit& co
 void judge_columns(CaseRun& run, const ColumnPlan& plan, const LawBand& laws) {
   const std::vector<double> spacings = run.spacings(plan.spacings);
   Columns columns(run);
-  for (const std::string& preset : run.presets()) {
+  std::vector<std::string> presets = run.presets();
+  if (run.short_form()) presets.resize(1);
+  for (const std::string& preset : presets) {
     for (const double aspect : plan.aspect_ratios) {
       std::vector<ColumnDeposit> series;
       for (std::size_t n = 0; n < spacings.size(); ++n) {

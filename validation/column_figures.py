@@ -58,7 +58,15 @@ def last_and_first(folder):
 
 
 def fronts(ax, laws, aspect, width):
-    """Where the laws put the front of the column shown."""
+    """Where the laws put the front of the column shown, and room for them and a legend."""
     for (name, function), style in zip(laws, ("-", "--")):
-        ax.axvline(width * (1.0 + float(function(np.array(aspect)))), color="#0072b2", linewidth=0.9, linestyle=style,
-                   label=f"front, {name}")
+        front = width * (1.0 + float(function(np.array(aspect))))
+        ax.axvline(front, color="#0072b2", linewidth=0.9, linestyle=style, label=f"front, {name}")
+        ax.set_xlim(None, max(ax.get_xlim()[1], front + 0.05 * width))
+    ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, fontsize=8)
+
+
+def aspect_ratio(first, up):
+    """H0/L0 of the column in its first frame."""
+    high, far = (first["position"][:, axis].max() + 0.5 * first["spacing"] for axis in (up, 0))
+    return high / far

@@ -34,7 +34,6 @@ def draw(page, folder, figures):
         return
     figure, ax = plt.subplots(figsize=(9.0, 2.9))
     scarp.draw_particles_2d(ax, last, "displacement", initial=first)
-    columns.fronts(ax, LAWS, first["position"][:, 1].max() / first["position"][:, 0].max(), WIDTH)
-    ax.legend(loc="upper right", fontsize=8)
+    columns.fronts(ax, LAWS, columns.aspect_ratio(first, 1), WIDTH)
     page.figure(figure, "Deposit of one column, shaded by displacement. Red dashes: before the gate went; blue: fronts "
                 "by the laws.", figures / "deposit.png")

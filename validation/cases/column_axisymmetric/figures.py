@@ -17,19 +17,18 @@ def draw(page, folder, figures):
     if last is None:
         return
     position, spacing = last["position"], last["spacing"]
-    aspect = first["position"][:, 2].max() / first["position"][:, 0].max()
+    aspect = columns.aspect_ratio(first, 2)
     figure, ax = plt.subplots(figsize=(9.0, 3.0))
     radius = np.hypot(position[:, 0], position[:, 1])
-    ax.scatter(radius, position[:, 2], s=2.0, color="#b8864b", linewidths=0)
+    ax.scatter(radius, position[:, 2], s=4.0, color="#b8864b", linewidths=0)
     ax.plot([0, RADIUS, RADIUS], [aspect * RADIUS, aspect * RADIUS, 0], color="#d62728", linewidth=0.9,
             linestyle=(0, (5, 3)), label="before")
-    columns.fronts(ax, LAWS, aspect, RADIUS)
     ax.set_aspect("equal")
     ax.set_xlim(0, None)
     ax.set_ylim(-2 * spacing, None)
     ax.set_xlabel("radius [m]")
     ax.set_ylabel("z [m]")
-    ax.legend(loc="upper right", fontsize=8)
+    columns.fronts(ax, LAWS, aspect, RADIUS)
     page.figure(figure, "All particles of one deposit over their radius.", figures / "radial.png")
     figure, ax = plt.subplots(figsize=(5.4, 4.6))
     scarp.draw_plan(ax, last)

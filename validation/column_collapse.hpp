@@ -48,9 +48,10 @@ struct RunOutLaw {
 
 /// The two laws between which a run-out must lie, and up to which aspect ratio it is judged.
 struct LawBand {
-  RunOutLaw first, second;
+  RunOutLaw lube, lajeunesse;
   std::string source;
   double largest_judged = 0.0;
+  std::string over_run;  ///< what is expected over Lube's law, in words
 };
 
 /// Which columns are run.

@@ -28,6 +28,7 @@ void write_deposits(const std::filesystem::path& path, const std::vector<ColumnD
   }
 }
 
+/// Runs the columns of a case one by one and keeps their deposits.
 class Columns {
  public:
   explicit Columns(CaseRun& run) : run_(run) {}
@@ -43,12 +44,14 @@ class Columns {
     show = show && !shown_;
     if (show) writer.emplace(simulation, run_.folder());
     Profile surface;
-    deposits_.push_back(
-        collapse_column(run_, name, simulation, column, writer ? &*writer : nullptr, &surface));
+    deposits_.push_back(collapse_column(run_, name, simulation, column, writer ? &*writer : nullptr,
+                                        scene.dimension == 2 ? &surface : nullptr));
     if (show) writer->finish(simulation, 0.0);
-    write_profile(run_.folder() / fmt::format("surface_{}_a{}_phi{:.3g}.csv", preset,
-                                              column.aspect_ratio, column.friction_angle),
-                  surface);
+    if (!surface.x.empty()) {
+      write_profile(run_.folder() / fmt::format("surface_{}_a{}_phi{:.3g}.csv", preset,
+                                                column.aspect_ratio, column.friction_angle),
+                    surface);
+    }
     if (show) shown_ = std::move(simulation);
     return deposits_.back();
   }
@@ -67,10 +70,9 @@ class Columns {
 void judge_end(CaseRun& run, const std::string& who, const ColumnDeposit& deposit) {
   run.add(within(who + "share of the soil lost through walls", deposit.lost, "", 0.0, 0.0, 0.0,
                  "mass is conserved; lost: more than a spacing behind a wall"));
-  const double spacing = deposit.spacing;
   run.add(within(who + "advance of the front in the last sqrt(H0/g), over L0", deposit.advance, "",
                  0.0, -0.01 * (1.0 + deposit.run_out), 0.01 * (1.0 + deposit.run_out),
-                 fmt::format("at rest: 1 % of its way (dx = {:.4g} m)", spacing)));
+                 "at rest: 1 % of the length of the deposit"));
 }
 
 void report_change(CaseRun& run, const std::string& who,
@@ -98,7 +100,7 @@ void report_change(CaseRun& run, const std::string& who,
 
 /// The two laws at an aspect ratio, lower one first.
 std::pair<double, double> band(const LawBand& laws, double aspect_ratio) {
-  return std::minmax({laws.first.at(aspect_ratio), laws.second.at(aspect_ratio)});
+  return std::minmax({laws.lube.at(aspect_ratio), laws.lajeunesse.at(aspect_ratio)});
 }
 
 void judge(CaseRun& run, const std::string& who, const std::vector<ColumnDeposit>& series,
@@ -114,8 +116,8 @@ void judge(CaseRun& run, const std::string& who, const std::vector<ColumnDeposit
     run.add(reported(who + "run-out (L - L0)/L0", finest.run_out, "",
                      fmt::format("laws {:.3g} and {:.3g}", low, high)));
   }
-  run.add(reported(who + "run-out over the first law - 1", finest.run_out / laws.first.at(a) - 1.0,
-                   ""));
+  run.add(reported(who + "run-out over Lube's law - 1", finest.run_out / laws.lube.at(a) - 1.0, "",
+                   laws.over_run));
   run.add(reported(who + "run-out of the connected deposit", finest.connected_run_out, ""));
   if (a <= plan.height_kept_to) {
     const double layer = finest.spacing / finest.width;

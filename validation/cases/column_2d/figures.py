@@ -33,7 +33,7 @@ def draw(page, folder, figures):
     if last is None:
         return
     figure, ax = plt.subplots(figsize=(9.0, 2.9))
-    scarp.draw_particles_2d(ax, last, "displacement", initial=first)
+    scarp.draw_particles_2d(ax, last, "displacement", initial=first, title="")
     columns.fronts(ax, LAWS, columns.aspect_ratio(first, 1), WIDTH)
     page.figure(figure, "Deposit of one column, shaded by displacement. Red dashes: before the gate went; blue: fronts "
                 "by the laws.", figures / "deposit.png")

@@ -25,13 +25,13 @@ def draw(page, folder, figures):
         inside = last["position"][:, 1] > -2 * last["spacing"]
         moved = np.where(last["fields"]["displacement"][:, 0] > 1e-3, 0.55, 0.12)
         shown = dict(last, position=last["position"][inside], fields={"moved": moved[inside]}, units={"moved": ""})
-        figure, ax = plt.subplots(figsize=(9.0, 3.0))
+        figure, ax = plt.subplots(figsize=(9.0, 2.6))
         scarp.draw_particles_2d(ax, shown, "moved", initial=first, limits=(0.0, 1.0), colour_map="Greys", bar=False)
         experiment(ax)
         ax.legend(loc="upper right", fontsize=8)
         page.figure(figure, "Deposit; dark: moved by more than 1 mm in x; red dashes: the stack before. Marks: the "
                     "experiment.", figures / "deposit.png")
-    figure, ax = plt.subplots(figsize=(9.0, 3.0))
+    figure, ax = plt.subplots(figsize=(9.0, 2.6))
     for path in sorted(folder.glob("surface_*.csv")):
         preset = path.stem.split("_")[1]
         table, line = scarp.read_table(path)[0], scarp.read_table(folder / f"failure_line_{preset}.csv")[0]

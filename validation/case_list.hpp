@@ -30,11 +30,14 @@ void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
 void element(CaseRun& run);
+void footing(CaseRun& run);
+void vertical_cut(CaseRun& run);
 void column_2d(CaseRun& run);
 void column_axisymmetric(CaseRun& run);
 void aluminium_bars(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
+extern const ErrorProblem footing_problem;
 extern const ErrorProblem aluminium_bars_problem;
 
 struct CaseRow {
@@ -55,6 +58,10 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
     {"element", "verification", "One stress point along the paths of laboratory tests.", element},
+    {"footing", "verification", "Strip footing pushed into weightless soil.", footing,
+     &footing_problem},
+    {"vertical_cut", "verification", "Vertical cut below and above its critical height.",
+     vertical_cut},
     {"column_2d", "verification", "Granular columns in plane strain against run-out laws.",
      column_2d},
     {"column_axisymmetric", "verification", "Granular cylinders against run-out laws.",

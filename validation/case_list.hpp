@@ -34,9 +34,13 @@ void element(CaseRun& run);
 void footing(CaseRun& run);
 void vertical_cut(CaseRun& run);
 extern const ErrorProblem slope_2d_problem;
+void column_2d(CaseRun& run);
+void column_axisymmetric(CaseRun& run);
+void aluminium_bars(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem footing_problem;
+extern const ErrorProblem aluminium_bars_problem;
 
 struct CaseRow {
   std::string_view name;
@@ -60,6 +64,13 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
      &footing_problem},
     {"vertical_cut", "verification", "Vertical cut below and above its critical height.",
      vertical_cut},
+    {"column_2d", "verification", "Granular columns in plane strain against run-out laws.",
+     column_2d},
+    {"column_axisymmetric", "verification", "Granular cylinders against run-out laws.",
+     column_axisymmetric},
+    {"aluminium_bars", "verification",
+     "Collapse of a stack of aluminium bars against its experiment.", aluminium_bars,
+     &aluminium_bars_problem},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

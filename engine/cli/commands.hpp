@@ -44,9 +44,10 @@ struct ConvergeArguments {
 
 struct FosArguments {
   SceneArguments scene;
-  std::string height;       ///< of the slope; empty: that of the ground
-  std::string window;       ///< time in which a slope must fail; empty: five free falls
-  std::string probe;        ///< empty: the scene's first
+  std::string height;  ///< of the slope; empty: that of the ground
+  std::string ramp;    ///< time that the cut takes; empty: 1.4 free falls over the height
+  std::string window;  ///< time after the cut in which a slope must fail; empty: five free falls
+  std::string probe;   ///< empty: the scene's first
   double tolerance = 0.01;  ///< width of the bracket over its middle
   double from = 1.0;
   std::optional<double> to;

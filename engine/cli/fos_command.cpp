@@ -42,6 +42,10 @@ CriterionOptions criterion_options(const FosArguments& arguments, const Scene& s
   CriterionOptions options;
   options.height = positive_option("--height", arguments.height, "m", kernels::Unit::length);
   options.window = positive_option("--window", arguments.window, "s", kernels::Unit::time);
+  if (!arguments.ramp.empty()) {
+    options.ramp = option_value("--ramp", arguments.ramp, "s", kernels::Unit::time);
+    if (!(options.ramp >= 0.0)) throw UsageError("--ramp: it is below 0. Try \"0 s\": at once.");
+  }
   options.probe = arguments.probe;
   std::vector<std::string> names;
   for (const Probe& probe : scene.probes) names.push_back(probe.name);

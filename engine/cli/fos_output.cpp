@@ -24,11 +24,13 @@ std::string judged_point(const Criterion& criterion, const Scene& scene) {
 }
 
 std::string criterion_sentence(const Criterion& criterion, const Scene& scene) {
+  const std::string how = criterion.ramp > 0.0
+                              ? fmt::format("The strength is cut over {:.3g} s.", criterion.ramp)
+                              : std::string("The strength is cut at once.");
   return fmt::format(
-      "Failed means: within {:.3g} s after the strength is cut at once {} has moved more than "
-      "{:.3g} "
-      "m, 1 % of the slope's height of {:.4g} m, beyond its elastic response of {:.2g} m.",
-      criterion.window, judged_point(criterion, scene), criterion.limit, criterion.height,
+      "{} Failed means: until {:.3g} s after that {} has moved more than {:.3g} m, 1 % of the "
+      "slope's height of {:.4g} m, beyond its elastic response of {:.2g} m.",
+      how, criterion.window, judged_point(criterion, scene), criterion.limit, criterion.height,
       criterion.elastic);
 }
 
@@ -169,6 +171,7 @@ std::string fos_json(const FosReport& report, const Simulation& settled) {
               {"spacings_in_height", criterion.height / scene.spacing},
               {"limit", criterion.limit},
               {"elastic", criterion.elastic},
+              {"ramp", criterion.ramp},
               {"window", criterion.window},
               {"probe", criterion.probe ? Json(scene.probes[*criterion.probe].name) : Json()},
               {"sentence", criterion_sentence(criterion, scene)}}},

@@ -75,9 +75,13 @@ CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
       ->check(CLI::Range(scarp::least_reduction, scarp::most_reduction));
   command->add_option("--to", fos.to, "... and tried next if the slope stands with that")
       ->check(CLI::Range(scarp::least_reduction, scarp::most_reduction));
-  command->add_option("--window", fos.window,
-                      "Time in which a slope must fail, e.g. \"4 s\"; default five free falls over "
-                      "its height");
+  command->add_option("--ramp", fos.ramp,
+                      "Time that the cut takes, 0 for at once; default 1.4 free falls over the "
+                      "slope's height");
+  command->add_option(
+      "--window", fos.window,
+      "Time after the cut in which a slope must fail, e.g. \"4 s\"; default five free "
+      "falls");
   command->add_option("--probe", fos.probe,
                       "Probe whose displacement is judged; default the scene's first, else the "
                       "largest displacement");

@@ -20,6 +20,10 @@ using Clock = std::chrono::steady_clock;
 /// A step is short against everything here; gathering all displacements is not free.
 constexpr std::uint64_t sample_steps = 10;
 
+/// Steps of equal ratio in which the strength is cut; each sets free a hundredth of the energy that
+/// the whole cut at once would.
+constexpr int ramp_steps = 10;
+
 /// A slope stands if this many times its present rate could not bring it to the limit in time.
 constexpr double rate_margin = 3.0;
 
@@ -95,14 +99,45 @@ double StrengthReduction::speed(const Simulation& simulation) const {
 }
 
 Simulation StrengthReduction::reduced(double reduction, double duration) const {
-  Stage stage = settled_.scene().stages.back();
-  stage.until = StageEnd::duration;
-  stage.duration = duration;
-  stage.reset_after = false;
-  if (stage.material_strength_reduction.empty()) stage.strength_reduction = reduction;
-  for (auto& [material, factor] : stage.material_strength_reduction) factor = reduction;
+  return with_strength(
+      [reduction](const Stage& last) {
+        StageStrength strength{last.strength_reduction, last.material_strength_reduction};
+        if (strength.materials.empty()) strength.all = reduction;
+        for (auto& [material, factor] : strength.materials) factor = reduction;
+        return strength;
+      }(settled_.scene().stages.back()),
+      duration);
+}
+
+Simulation StrengthReduction::with_strength(const StageStrength& end, double duration) const {
+  const Stage& before = settled_.scene().stages[settled_.stage_index()];
+  Stage hold = settled_.scene().stages.back();
+  hold.until = StageEnd::duration;
+  hold.duration = duration;
+  hold.reset_after = false;
+  hold.strength_reduction = end.all;
+  hold.material_strength_reduction = end.materials;
+  std::vector<Stage> stages;
+  for (int k = 1; k < ramp_steps && criterion_.ramp > 0.0; ++k) {
+    const double part = static_cast<double>(k) / ramp_steps;
+    const auto between = [part](double from, double to) {
+      return from * std::pow(to / from, part);
+    };
+    Stage step = hold;
+    step.name = fmt::format("{:.50}~{}", hold.name, k);
+    step.duration = criterion_.ramp / (ramp_steps - 1);
+    step.strength_reduction = between(before.strength_reduction, end.all);
+    for (const auto& [material, factor] : end.materials) {
+      const auto own = before.material_strength_reduction.find(material);
+      const double from =
+          own != before.material_strength_reduction.end() ? own->second : before.strength_reduction;
+      step.material_strength_reduction[material] = between(from, factor);
+    }
+    stages.push_back(step);
+  }
+  stages.push_back(hold);
   Simulation simulation = settled_.clone();
-  simulation.set_following_stages({stage});
+  simulation.set_following_stages(stages);
   return simulation;
 }
 
@@ -110,6 +145,7 @@ std::optional<Trial> StrengthReduction::run(Simulation simulation, double reduct
                                             const Proceed& proceed) const {
   const auto start = Clock::now();
   const std::uint64_t first_step = simulation.last_step().step;
+  const double start_time = simulation.last_step().time;
   const double limit = criterion_.elastic + criterion_.limit;
   Trial trial;
   trial.reduction = reduction;
@@ -118,41 +154,38 @@ std::optional<Trial> StrengthReduction::run(Simulation simulation, double reduct
   bool over = false;
   while (!over) {
     simulation.step();
-    const double time = simulation.last_step().stage_time;
+    const double time = simulation.last_step().time - start_time;
     trial.steps = simulation.last_step().step - first_step;
-    const bool sampled = trial.steps % sample_steps == 0 || simulation.stage_ended();
+    const bool sampled = trial.steps % sample_steps == 0 || simulation.finished();
     if (sampled || criterion_.probe) {
       trial.displacement = std::max(trial.displacement, displacement(simulation));
     }
     if (sampled) rate.sample(time, largest_displacement(simulation));
     const std::optional<double> moving = sampled ? rate.value() : std::nullopt;
+    const double left = criterion_.ramp + criterion_.window - time;
     if (trial.displacement > limit) {
       trial.fails = over = true;
       trial.end = TrialEnd::limit_crossed;
-    } else if (simulation.stage_ended()) {
+    } else if (simulation.finished()) {
       over = true;
       trial.end = TrialEnd::window_over;
-    } else if (criterion_.early_stop && moving &&
-               trial.displacement + rate_margin * *moving * (criterion_.window - time) < limit) {
+    } else if (criterion_.early_stop && moving && left < criterion_.window - criterion_.span &&
+               trial.displacement + rate_margin * *moving * left < limit) {
       over = true;
       trial.end = TrialEnd::came_to_rest;
     }
     if (proceed && !proceed(simulation)) return {};
   }
-  trial.time = simulation.last_step().stage_time;
+  trial.time = simulation.last_step().time - start_time;
   trial.speed = speed(simulation);
   trial.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   return trial;
 }
 
 std::optional<Trial> StrengthReduction::measure_elastic(const Proceed& proceed) {
-  // The strength of the stage before, in the last stage.
   const Stage& before = settled_.scene().stages[settled_.stage_index()];
-  Simulation simulation = reduced(1.0, criterion_.window);
-  Stage stage = simulation.scene().stages.back();
-  stage.strength_reduction = before.strength_reduction;
-  stage.material_strength_reduction = before.material_strength_reduction;
-  simulation.set_following_stages({stage});
+  Simulation simulation = with_strength(
+      {before.strength_reduction, before.material_strength_reduction}, criterion_.window);
   const std::optional<double> own = settled_reduction(settled_.scene());
   std::optional<Trial> trial = run(std::move(simulation), own.value_or(1.0), proceed);
   if (!trial) return {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,17 +16,19 @@ namespace scarp {
 /// What a caller may set; 0 and empty text: chosen from the scene.
 struct CriterionOptions {
   double height = 0.0;     ///< of the slope [m]; 0: from the lowest to the highest ground
-  double window = 0.0;     ///< [s]; 0: five times the free fall over the height
+  double ramp = -1.0;      ///< time that the cut takes [s]; 0: at once; negative: 1.4 free falls
+  double window = 0.0;     ///< [s]; 0: five free falls over the height
   std::string probe;       ///< whose displacement is judged; empty: the scene's first probe
   bool early_stop = true;  ///< false: a trial that stands runs to the end of the window
 };
 
-/// When a slope counts as failed: within `window` after the reduction the displacement exceeds
+/// When a slope counts as failed: until `window` after the reduction the displacement exceeds
 /// `elastic` + `limit`.
 struct Criterion {
   double height = 0.0;               ///< of the slope [m]
   double limit = 0.0;                ///< 1 % of the height [m]
-  double window = 0.0;               ///< [s]
+  double ramp = 0.0;                 ///< time that the cut takes [s]
+  double window = 0.0;               ///< after it [s]
   double span = 0.0;                 ///< over which a rate is measured [s]
   double elastic = 0.0;              ///< displacement with nothing reduced [m]
   std::optional<std::size_t> probe;  ///< index; empty: the largest displacement of the soil
@@ -85,6 +88,12 @@ class StrengthReduction {
   const Criterion& criterion() const { return criterion_; }
 
  private:
+  /// Factors on the strength, as a stage has them.
+  struct StageStrength {
+    double all = 1.0;
+    std::map<std::string, double> materials;
+  };
+  Simulation with_strength(const StageStrength& end, double duration) const;
   std::optional<Trial> run(Simulation simulation, double reduction, const Proceed& proceed) const;
   double largest_displacement(const Simulation& simulation, std::size_t* where = nullptr) const;
   double speed(const Simulation& simulation) const;

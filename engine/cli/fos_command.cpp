@@ -14,7 +14,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/run_writer.hpp"
+#include "engine/fos/failure_run.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/scene/warnings.hpp"
@@ -23,9 +23,6 @@ namespace scarp::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The failure is shown until this many times the criterion's displacement, or windows, are over.
-constexpr double shown_displacement = 5.0, shown_windows = 2.0;
 
 double positive_option(const std::string& option, const std::string& text, const char* bare_unit,
                        kernels::Unit unit) {
@@ -83,21 +80,6 @@ class TrialProgress {
   bool quiet_;
   std::optional<Progress> bar_;
 };
-
-/// The least factor that fails, with frames, until the slip surface shows.
-void show_failure(const StrengthReduction& slope, double reduction, const fs::path& folder,
-                  TrialProgress& progress) {
-  const Criterion& criterion = slope.criterion();
-  Simulation simulation = slope.reduced(reduction, shown_windows * criterion.window);
-  RunWriter writer(simulation, folder);
-  run(simulation, &writer, [&](const Simulation& now) {
-    const bool far = now.last_step().step % 10 == 0 &&
-                     slope.displacement(now) > shown_displacement * criterion.limit;
-    if (far) simulation.end_stage();
-    return progress(now);
-  });
-  progress.end();
-}
 
 void write_outputs(const FosReport& report, const Simulation& settled, const fs::path& folder,
                    const FosArguments& arguments) {
@@ -174,7 +156,8 @@ int fos_command(const FosArguments& arguments) {
     throw;
   }
   if (report.failure.empty() && report.found.bracket.fails) {
-    show_failure(slope, *report.found.bracket.fails, folder / "failure", progress);
+    run_failure(slope, *report.found.bracket.fails, folder / "failure", std::ref(progress));
+    progress.end();
   }
   write_outputs(report, slope.settled(), folder, arguments);
   if (stop_requested()) return interrupted;

@@ -54,8 +54,6 @@ const std::vector<PublishedSlope>& slopes() {
   return all;
 }
 
-constexpr double tolerance = 0.01;
-
 /// Settles a scene; its cost is booked.
 Simulation settled_state(CaseRun& run, const std::string& name, const Scene& scene) {
   Simulation simulation(scene, run.options().run);
@@ -66,7 +64,7 @@ Simulation settled_state(CaseRun& run, const std::string& name, const Scene& sce
 FactorOfSafety search(CaseRun& run, const std::string& name, StrengthReduction& slope,
                       double bishop) {
   // Either side of where it should be; the search steps outward if it is not there.
-  return search_factor(run, name, slope, {0.94 * bishop, 1.06 * bishop, tolerance});
+  return search_factor(run, name, slope, {0.94 * bishop, 1.06 * bishop, run.short_form() ? 0.02 : 0.01});
 }
 
 /// Every trial that was taken to stand early, once more to the end of its window.

@@ -24,7 +24,7 @@ def displacement_figure(study):
     for trial in study["trials"]:
         if trial["fails"]:
             ax.annotate(f"{trial['time']:.3g} s", (trial["reduction"], trial["displacement"]), xytext=(0, 6),
-                        textcoords="offset points", ha="center", fontsize=7)
+                        textcoords="offset points", rotation=60, fontsize=7)
     ax.axhline(criterion["limit"] + criterion["elastic"], color="#999999", linewidth=0.8, linestyle="--",
                label="failure: 1 % of the height")
     if study["factor_of_safety"] is not None:

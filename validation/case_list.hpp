@@ -29,6 +29,7 @@ void cuboid_3d(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
+void element(CaseRun& run);
 void slopes_fos(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
@@ -50,6 +51,7 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
+    {"element", "verification", "One stress point along the paths of laboratory tests.", element},
     {"slopes_fos", "verification", "Factors of safety of three published slopes.", slopes_fos},
 });
 

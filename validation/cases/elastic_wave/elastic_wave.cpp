@@ -118,7 +118,8 @@ void judge(CaseRun& run, const std::string& who, double moment, bool artificial_
   judge_convergence(
       run, who + (normalised ? "speed over c_p - 1" : "speed over c_p - M"), speeds,
       {0.01 * moment, normalised ? std::optional(1.0) : std::nullopt, "as the speed"});
-  // A speed of c (1 - e) shifts the phase of 2 3/8 periods by 14.9 e; the end is at 45 degrees.
+  // A speed of c (1 - e) shifts the phase of 2 3/8 periods by 14.9 e; sine and cosine of the end
+  // are 0.707.
   if (normalised) {
     judge_convergence(
         run, who + "L2 error of velocity", errors,

@@ -107,9 +107,8 @@ void judge(CaseRun& run, const std::string& who, bool normalised,
   judge_convergence(
       run, who + (normalised ? "settlement over theory - 1" : "settlement over theory - 1/M^2"),
       settlements, {settlement * band, {}, "as the settlement"});
-  // Alternating stress from layer to layer exerts no force on a regular lattice. Loading at once
-  // leaves some, which no damping of velocity can remove; the weight of a layer, gamma dx, is its
-  // scale.
+  // The images behind the base lack the weight between them and the soil, gamma dx a layer. Stress
+  // that alternates from layer to layer makes up for it, on that scale.
   judge_convergence(run, who + "rms error of vertical stress over gamma H", stresses,
                     {lattice_error + finest.layer, normalised ? std::optional(1.0) : std::nullopt,
                      normalised ? "dx/H, the weight of a layer; at least first order"

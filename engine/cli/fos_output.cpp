@@ -37,13 +37,13 @@ std::string criterion_sentence(const Criterion& criterion, const Scene& scene) {
 std::string resolution_sentence(const Criterion& criterion, const Scene& scene) {
   const double rows = criterion.height / scene.spacing;
   return fmt::format(
-      "The slope is {:.3g} spacings high (dx = {:g} m). The factor depends on that: the soil has "
-      "no "
-      "internal length, and factors by strength reduction fall as the mesh or the lattice is "
-      "refined, in finite elements too (1.421, 1.387, 1.365 on three meshes of Griffiths and "
-      "Lane's "
-      "first example, KATAI 2D). Run it again with --spacing \"{:g} m\"; what changes is the "
-      "uncertainty.{}",
+      "The slope is {:.3g} spacings high (dx = {:g} m), and the factor depends on that: the soil "
+      "has "
+      "no internal length. In finite elements factors by strength reduction fall with refinement "
+      "(1.421, 1.387, 1.365 on three meshes of Griffiths and Lane's first example, KATAI 2D); here "
+      "a "
+      "coarsely drawn toe can make them rise as well. Run it again with --spacing \"{:g} m\": what "
+      "changes is the uncertainty.{}",
       rows, scene.spacing, 0.5 * scene.spacing,
       rows < 20.0 ? " Under 20 spacings in the height count on several per cent." : "");
 }

@@ -24,7 +24,6 @@ struct PublishedSlope {
   double lowest, highest;
   const char* source;
   std::vector<double> spacings;  ///< of the full form, coarse to fine [m]
-  std::size_t main;              ///< index of the main form's
 };
 
 const std::vector<PublishedSlope>& slopes() {
@@ -34,22 +33,19 @@ const std::vector<PublishedSlope>& slopes() {
        1.403,
        1.408,
        "Arai and Tagyo (1985), example 1, circular",
-       {2.0, 1.0, 0.5},
-       1},
+       {2.0, 1.0, 0.5}},
       {"Griffiths-Lane 1",
        "slopes_fos.toml",
        1.380,
        1.380,
        "Bishop and Morgenstern's chart, in Griffiths and Lane (1999)",
-       {0.5, 0.25, 0.125},
-       1},
+       {0.5, 0.25, 0.125}},
       {"Griffiths-Lane 6, dry dam",
        "dam.toml",
        2.4,
        2.4,
        "Griffiths and Lane (1999), finite elements",
-       {2.84, 1.42, 0.71},
-       1},
+       {2.84, 1.42, 0.71}},
   };
   return all;
 }
@@ -61,10 +57,25 @@ Simulation settled_state(CaseRun& run, const std::string& name, const Scene& sce
   return simulation;
 }
 
+/// Bishop's factor for soil that shears at constant volume. On a band without dilation the
+/// principal stresses stand at 45 degrees, so the shear stress is the radius of Mohr's circle
+/// (Davis 1968); with the cone of E11 and psi = 0 that is q (c + s tan phi), q = 1/sqrt(1 + 4/3
+/// tan^2 phi), phi after reduction. F = q(F) F_Bishop, since Bishop's factor scales with c and tan
+/// phi together.
+double constant_volume_factor(double bishop, double friction_angle) {
+  double factor = bishop;
+  for (int k = 0; k < 50; ++k) {
+    const double tangent = std::tan(friction_angle) / factor;
+    factor = bishop / std::sqrt(1.0 + 4.0 / 3.0 * tangent * tangent);
+  }
+  return factor;
+}
+
 FactorOfSafety search(CaseRun& run, const std::string& name, StrengthReduction& slope,
                       double bishop) {
   // Either side of where it should be; the search steps outward if it is not there.
-  return search_factor(run, name, slope, {0.94 * bishop, 1.06 * bishop, run.short_form() ? 0.02 : 0.01});
+  return search_factor(run, name, slope,
+                       {0.94 * bishop, 1.06 * bishop, run.short_form() ? 0.02 : 0.01});
 }
 
 /// Every trial that was taken to stand early, once more to the end of its window.
@@ -106,10 +117,10 @@ void tell_sudden(CaseRun& run, const std::string& name, const Simulation& settle
                    "inertia of the sudden cut included"));
 }
 
+/// The main form takes the first two, the short form the one it is known to be judged at.
 std::vector<double> spacings_of(const CaseRun& run, const PublishedSlope& slope) {
-  if (run.options().spacing > 0.0) return {run.options().spacing};
-  if (run.options().form == Form::full) return slope.spacings;
-  return {slope.spacings[slope.main]};
+  if (run.short_form() && !(run.options().spacing > 0.0)) return {slope.spacings[1]};
+  return run.spacings(slope.spacings);
 }
 
 /// One slope at the spacings of the form; the finest is judged.
@@ -132,6 +143,10 @@ Simulation judge_slope(CaseRun& run, const PublishedSlope& published) {
     series.errors.push_back({spacing, factor / reference - 1.0});
     const std::string rows =
         fmt::format("{:.3g} spacings in the height", slope.criterion().height / spacing);
+    if (!run.short_form() && (spacing == published.spacings[1] || spacings.size() == 1)) {
+      tell_associated(run, name, scene, reference);
+      tell_sudden(run, name, slope.settled(), reference);
+    }
     if (!finest) {
       run.add(reported(fmt::format("{}: FOS at dx {:g} m", name, spacing), factor, "", rows));
       if (spacing == spacings.front()) judge_early_stops(run, name, slope, found);
@@ -144,15 +159,12 @@ Simulation judge_slope(CaseRun& run, const PublishedSlope& published) {
     run.add(within(name + ": FOS by Bishop", reference, "",
                    0.5 * (published.lowest + published.highest), 0.99 * published.lowest,
                    1.01 * published.highest, std::string(published.source) + "; 1 %"));
+    run.add(reported(name + ": Bishop's factor for shear at constant volume",
+                     constant_volume_factor(reference, ground.friction_angle), "",
+                     "what psi = 0 leaves of it in a thin band"));
     run_failure(slope, found.bracket.fails.value_or(reference), folder, {});
     write_bishop(folder / "bishop.json", ground, bishop);
     write_trials(folder / "displacement_srf.csv", found);
-    if (run.options().form != Form::short_form) {
-      const Scene coarse = run.scene_at(std::max(spacing, published.spacings[published.main]),
-                                        run.options().preset, published.file);
-      tell_associated(run, name, coarse, reference);
-    }
-    if (!run.short_form()) tell_sudden(run, name, slope.settled(), reference);
     last.emplace(slope.settled().clone());
   }
   series.order = observed_order(series.errors);

@@ -103,7 +103,7 @@ void tell_associated(CaseRun& run, const std::string& name, Scene scene, double 
   const FactorOfSafety found = search(run, name + ", psi = phi", slope, bishop);
   run.add(reported(
       name + ": FOS with psi = phi", found.bracket.factor().value_or(std::nan("")), "",
-      fmt::format("{:+.1f} % of Bishop",
+      fmt::format("{:+.1f} % from Bishop",
                   100.0 * (found.bracket.factor().value_or(std::nan("")) / bishop - 1.0))));
 }
 
@@ -117,55 +117,59 @@ void tell_sudden(CaseRun& run, const std::string& name, const Simulation& settle
                    "inertia of the sudden cut included"));
 }
 
-/// The main form takes the first two, the short form the one it is known to be judged at.
-std::vector<double> spacings_of(const CaseRun& run, const PublishedSlope& slope) {
-  if (run.short_form() && !(run.options().spacing > 0.0)) return {slope.spacings[1]};
-  return run.spacings(slope.spacings);
+/// What is judged at the finest spacing of the form, and the picture of the failure.
+void judge_finest(CaseRun& run, const PublishedSlope& published, const StrengthReduction& slope,
+                  const FactorOfSafety& found, const BishopResult& bishop) {
+  const std::string name = published.name;
+  const Scene& scene = slope.settled().scene();
+  const Slope ground = slope_of(scene);
+  const double reference = bishop.factor_of_safety;
+  judge_factor(run, fmt::format("{}: FOS at dx {:g} m", name, scene.spacing), found.bracket,
+               reference,
+               fmt::format("Bishop, own; {:.3g} spacings in the height",
+                           slope.criterion().height / scene.spacing));
+  run.add(within(name + ": FOS by Bishop", reference, "",
+                 0.5 * (published.lowest + published.highest), 0.99 * published.lowest,
+                 1.01 * published.highest, std::string(published.source) + "; 1 %"));
+  run.add(reported(name + ": Bishop's factor for shear at constant volume",
+                   constant_volume_factor(reference, ground.friction_angle), "",
+                   "what psi = 0 leaves of it in a thin band"));
+  const std::filesystem::path folder = run.folder() / std::filesystem::path(published.file).stem();
+  run_failure(slope, found.bracket.fails.value_or(reference), folder, {});
+  write_bishop(folder / "bishop.json", ground, bishop);
+  write_trials(folder / "displacement_srf.csv", found);
 }
 
 /// One slope at the spacings of the form; the finest is judged.
 Simulation judge_slope(CaseRun& run, const PublishedSlope& published) {
   const std::string name = published.name;
-  const std::vector<double> spacings = spacings_of(run, published);
+  const std::vector<double> spacings = run.spacings(published.spacings);
   std::optional<Simulation> last;
   ConvergenceSeries series{name + ": FOS over Bishop, less 1", {}, 0.0};
   for (const double spacing : spacings) {
     const Scene scene = run.scene_at(spacing, run.options().preset, published.file);
-    const Slope ground = slope_of(scene);
-    const BishopResult bishop = bishop_search(ground, 100);
+    const BishopResult bishop = bishop_search(slope_of(scene), 100);
     const double reference = bishop.factor_of_safety;
-    const bool finest = spacing == spacings.back();
-    StrengthReduction slope(settled_state(run, fmt::format("{}, dx {:g} m", name, spacing), scene),
-                            choose_criterion(scene, {}));
     const std::string at = fmt::format("{}, dx {:g} m", name, spacing);
+    StrengthReduction slope(settled_state(run, at, scene), choose_criterion(scene, {}));
     const FactorOfSafety found = search(run, at, slope, reference);
     const double factor = found.bracket.factor().value_or(std::nan(""));
     series.errors.push_back({spacing, factor / reference - 1.0});
-    const std::string rows =
-        fmt::format("{:.3g} spacings in the height", slope.criterion().height / spacing);
-    if (!run.short_form() && (spacing == published.spacings[1] || spacings.size() == 1)) {
+    if (spacing == published.spacings[1]) {
       tell_associated(run, name, scene, reference);
       tell_sudden(run, name, slope.settled(), reference);
     }
-    if (!finest) {
-      run.add(reported(fmt::format("{}: FOS at dx {:g} m", name, spacing), factor, "", rows));
-      if (spacing == spacings.front()) judge_early_stops(run, name, slope, found);
-      continue;
+    if (spacing == spacings.back()) {
+      judge_finest(run, published, slope, found, bishop);
+      last.emplace(slope.settled().clone());
+    } else {
+      run.add(reported(
+          fmt::format("{}: FOS at dx {:g} m", name, spacing), factor, "",
+          fmt::format("{:.3g} spacings in the height", slope.criterion().height / spacing)));
     }
-    const std::filesystem::path folder =
-        run.folder() / std::filesystem::path(published.file).stem();
-    judge_factor(run, fmt::format("{}: FOS at dx {:g} m", name, spacing), found.bracket, reference,
-                 "Bishop, own; " + rows);
-    run.add(within(name + ": FOS by Bishop", reference, "",
-                   0.5 * (published.lowest + published.highest), 0.99 * published.lowest,
-                   1.01 * published.highest, std::string(published.source) + "; 1 %"));
-    run.add(reported(name + ": Bishop's factor for shear at constant volume",
-                     constant_volume_factor(reference, ground.friction_angle), "",
-                     "what psi = 0 leaves of it in a thin band"));
-    run_failure(slope, found.bracket.fails.value_or(reference), folder, {});
-    write_bishop(folder / "bishop.json", ground, bishop);
-    write_trials(folder / "displacement_srf.csv", found);
-    last.emplace(slope.settled().clone());
+    if (spacing == spacings.front() && spacings.size() > 1) {
+      judge_early_stops(run, name, slope, found);
+    }
   }
   series.order = observed_order(series.errors);
   if (series.errors.size() > 1) run.add(series);

@@ -149,15 +149,15 @@ int fos_command(const FosArguments& arguments) {
     report.found = find_factor(slope, search, std::ref(progress), done);
     progress.end();
     if (stop_requested()) report.failure = "stopped on request";
-  } catch (const SimulationInstability& instability) {
+    if (report.failure.empty() && report.found.bracket.fails) {
+      run_failure(slope, *report.found.bracket.fails, folder / "failure", std::ref(progress));
+      progress.end();
+    }
+  } catch (const SimulationInstability& instability) {  // what is known stays
     progress.end();
     report.failure = instability.what();
     write_outputs(report, slope.settled(), folder, arguments);
     throw;
-  }
-  if (report.failure.empty() && report.found.bracket.fails) {
-    run_failure(slope, *report.found.bracket.fails, folder / "failure", std::ref(progress));
-    progress.end();
   }
   write_outputs(report, slope.settled(), folder, arguments);
   if (stop_requested()) return interrupted;

@@ -30,9 +30,12 @@ void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
 void element(CaseRun& run);
+void footing(CaseRun& run);
+void vertical_cut(CaseRun& run);
 void slopes_fos(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
+extern const ErrorProblem footing_problem;
 
 struct CaseRow {
   std::string_view name;
@@ -52,6 +55,10 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
     {"element", "verification", "One stress point along the paths of laboratory tests.", element},
+    {"footing", "verification", "Strip footing pushed into weightless soil.", footing,
+     &footing_problem},
+    {"vertical_cut", "verification", "Vertical cut below and above its critical height.",
+     vertical_cut},
     {"slopes_fos", "verification", "Factors of safety of three published slopes.", slopes_fos},
 });
 

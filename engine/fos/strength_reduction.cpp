@@ -192,9 +192,10 @@ std::optional<Trial> StrengthReduction::measure_elastic(const Proceed& proceed) 
   if (trial->fails) {
     throw SceneError(fmt::format(
         "{}: the slope fails with the strength it settled with: {:.3g} m of displacement within "
-        "{:.3g} s, more than 1 % of its height of {:.4g} m. Try strength_reduction below 1 (0.5 "
+        "{:.3g} s, more than 1 % of its height of {:.4g} m{}. Try strength_reduction below 1 (0.5 "
         "doubles the strength) in the stages before the last, or let them settle for longer.",
-        settled_.scene().file, trial->displacement, trial->time, criterion_.height));
+        settled_.scene().file, trial->displacement, trial->time, criterion_.height,
+        settled_.stage_reached_rest() ? "" : ", and it had not come to rest before"));
   }
   criterion_.elastic = trial->displacement;
   elastic_ = trial;

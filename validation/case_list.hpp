@@ -37,6 +37,7 @@ extern const ErrorProblem slope_2d_problem;
 void column_2d(CaseRun& run);
 void column_axisymmetric(CaseRun& run);
 void aluminium_bars(CaseRun& run);
+void slopes_fos(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem footing_problem;
@@ -71,6 +72,7 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"aluminium_bars", "verification",
      "Collapse of a stack of aluminium bars against its experiment.", aluminium_bars,
      &aluminium_bars_problem},
+    {"slopes_fos", "verification", "Factors of safety of three published slopes.", slopes_fos},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

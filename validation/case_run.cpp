@@ -61,9 +61,11 @@ Scene CaseRun::scene(const Spacings& spacings) const {
 }
 
 Scene CaseRun::scene_at(double spacing, const std::string& preset) const {
-  const std::filesystem::path file =
-      data_folder() / "cases" / result_.case_name / (result_.case_name + ".toml");
-  return read_scene(file, {preset, spacing});
+  return scene_at(spacing, preset, result_.case_name + ".toml");
+}
+
+Scene CaseRun::scene_at(double spacing, const std::string& preset, const std::string& file) const {
+  return read_scene(data_folder() / "cases" / result_.case_name / file, {preset, spacing});
 }
 
 std::vector<std::string> CaseRun::presets() const {

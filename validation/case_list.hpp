@@ -29,8 +29,10 @@ void cuboid_3d(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
+void disc_rotation(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
+extern const ErrorProblem disc_rotation_problem;
 
 struct CaseRow {
   std::string_view name;
@@ -49,6 +51,8 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
+    {"disc_rotation", "verification", "Free elastic disc in rotation, one turn and ten.",
+     disc_rotation, &disc_rotation_problem},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

@@ -30,6 +30,7 @@ void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
 void disc_rotation(CaseRun& run);
+void rings(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem disc_rotation_problem;
@@ -53,6 +54,7 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
     {"disc_rotation", "verification", "Free elastic disc in rotation, one turn and ten.",
      disc_rotation, &disc_rotation_problem},
+    {"rings", "verification", "Two rubber rings bounce: tensile instability.", rings},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

@@ -31,6 +31,7 @@ void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
 void disc_rotation(CaseRun& run);
 void rings(CaseRun& run);
+void couette(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem disc_rotation_problem;
@@ -55,6 +56,7 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"disc_rotation", "verification", "Free elastic disc in rotation, one turn and ten.",
      disc_rotation, &disc_rotation_problem},
     {"rings", "verification", "Two rubber rings bounce: tensile instability.", rings},
+    {"couette", "verification", "Elastic layer sheared between rough walls.", couette},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

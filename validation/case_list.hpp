@@ -32,6 +32,7 @@ void patch(CaseRun& run);
 void disc_rotation(CaseRun& run);
 void rings(CaseRun& run);
 void couette(CaseRun& run);
+void rest(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem disc_rotation_problem;
@@ -57,6 +58,8 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
      disc_rotation, &disc_rotation_problem},
     {"rings", "verification", "Two rubber rings bounce: tensile instability.", rings},
     {"couette", "verification", "Elastic layer sheared between rough walls.", couette},
+    {"rest", "verification", "Soil at rest against a smooth wall, active and passive pressure.",
+     rest},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

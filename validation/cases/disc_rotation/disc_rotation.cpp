@@ -312,7 +312,7 @@ void disc_rotation(CaseRun& run) {
   std::optional<Simulation> last;
   stress_point(run);
   for (const std::string& preset : run.presets()) {
-    cylinder(run, preset, last);
+    if (!run.short_form()) cylinder(run, preset, last);
     if (preset == "paper") {
       paper_disc(run, last);
     } else {

@@ -100,15 +100,13 @@ AtRest rest_of(CaseRun& run, const std::string& name, Simulation& simulation) {
   return at;
 }
 
-void judge_rest(CaseRun& run, const std::string& who, const AtRest& at,
+void judge_rest(CaseRun& run, const std::string& who, bool in_space, const AtRest& at,
                 const std::vector<ErrorAtSpacing>& walls) {
   const double stress = at.normalised ? 1.0 : 1.0 / at.lattice_moment;
   const std::string profile = at.normalised ? "2 %" : "1/M of the lattice, 2 %";
   run.add(holds(who + "came to rest", at.settled, "slower than 1e-5 m/s"));
   run.add(within(who + "fastest particle without damping", at.fastest, "m/s", 0.0, 0.0, 1e-3,
                  "1 mm/s: what counts as rest"));
-  run.add(within(who + "force on the wall over K0 gamma H^2/2", at.wall, "", 1.0, 0.98, 1.02,
-                 "K0 = nu/(1 - nu), 2 %"));
   run.add(within(who + "force on the base over the weight", at.floor, "", 1.0, 0.98, 1.02,
                  "equilibrium, 2 %"));
   run.add(within(who + "vertical stress over gamma z", at.vertical, "", stress, 0.98 * stress,
@@ -119,8 +117,20 @@ void judge_rest(CaseRun& run, const std::string& who, const AtRest& at,
                  "over gamma H, 2 %"));
   run.add(within(who + "rms of the rest, horizontal", at.horizontal_rms, "", 0.0, 0.0, 0.02,
                  "over K0 gamma H, 2 %"));
-  judge_convergence(run, who + "force on the wall over K0 gamma H^2/2 - 1", walls,
-                    {0.02, {}, "as the force"});
+  // In 3D most images stand behind two walls at once and are booked to the later one.
+  if (in_space) {
+    run.add(reported(who + "force on the wall over K0 gamma H^2/2", at.wall, "",
+                     "images behind two walls are booked to the other"));
+  } else {
+    judge_convergence(run, who + "force on the wall over K0 gamma H^2/2 - 1", walls,
+                      {0.02, {}, "K0 = nu/(1 - nu), 2 %"});
+  }
+}
+
+/// The layer cut to 2 m: where nothing varies along it, its length does not matter.
+void narrow(Scene& scene) {
+  std::get<Box>(scene.bodies.front().shape).maximum[0] = 2.0;
+  scene.walls[far].facets = line_facets({{2, 0}, {2, 5}});
 }
 
 enum class Pressure { active, passive };
@@ -131,12 +141,11 @@ Scene yielding(Scene scene, Pressure pressure, bool smooth_base, double dilation
   scene.stages.erase(scene.stages.begin() + 1);
   if (smooth_base) {
     scene.walls[base].kind = WallKind::free_slip;
-    std::get<Box>(scene.bodies.front().shape).maximum[0] = 4.0;
-    scene.walls[far].facets = line_facets({{4, 0}, {4, 5}});
+    narrow(scene);
   }
   if (pressure == Pressure::passive) {
-    // K_p gamma H (1 - nu^2) L/E = 43 mm yields the foot of the wall.
-    scene.walls[retaining].velocity[0] = 0.008;
+    // K_p gamma H (1 - nu^2) L/E = 21 mm brings the foot of the wall to yield.
+    scene.walls[retaining].velocity[0] = 0.004;
     scene.stages.back().duration = 7.5;
   }
   return scene;
@@ -156,6 +165,8 @@ double pressure_coefficient(const Simulation& simulation) {
          (layer.weight() * centre / (layer.length - moved));
 }
 
+constexpr const char* yield_band = "2 % as at rest, 1 % for what damping and wall speed leave";
+
 void judge_pressure(CaseRun& run, const std::string& preset, double spacing, Pressure pressure,
                     bool smooth_base, bool dilatant, std::optional<Simulation>& last) {
   Scene scene = run.scene_at(spacing, preset);
@@ -168,15 +179,30 @@ void judge_pressure(CaseRun& run, const std::string& preset, double spacing, Pre
                                        spacing, active ? "active" : "passive",
                                        smooth_base ? "smooth" : "rough", dilatant ? "phi" : "0");
   last = run.solve(name, scene);
+  const std::vector<double> stress = last->field("stress");
+  double horizontal = 0.0, vertical = 0.0;
+  for (std::size_t k = 0; k < stress.size(); k += 6) {
+    horizontal += stress[k];
+    vertical += stress[k + 1];
+  }
+  if (smooth_base) {
+    const double k = horizontal / vertical / expected;
+    run.add(within(name + ": mean horizontal over mean vertical stress, over it", k, "", 1.0, 0.97,
+                   1.03, yield_band));
+  }
   const double ratio = pressure_coefficient(*last) / expected;
-  run.add(within(name + fmt::format(": force over {} = {:.4f}", active ? "K_a" : "K_p", expected),
-                 ratio, "", 1.0, 0.97, 1.03, "2 % as at rest and 1 % that the damping takes"));
+  run.add(within(
+      name + fmt::format(": force on the wall over {} = {:.4f}", active ? "K_a" : "K_p", expected),
+      ratio, "", 1.0, 0.97, 1.03, yield_band));
 }
 
 }  // namespace
 
 void rest(CaseRun& run) {
-  const std::vector<double> spacings = run.spacings({0.4, 0.2, 0.1});
+  // The short form keeps the finer of the two: the band of the force on the wall needs it.
+  const std::vector<double> spacings =
+      run.short_form() ? run.spacings({0.1}) : run.spacings({0.2, 0.1, 0.05});
+  const std::vector<double> yield_spacings = run.spacings({0.2, 0.1});
   std::optional<Simulation> last;
   for (const std::string& preset : run.presets()) {
     for (const int dimension : {2, 3}) {
@@ -184,9 +210,10 @@ void rest(CaseRun& run) {
       std::vector<ErrorAtSpacing> walls;
       AtRest finest;
       for (const double spacing : spacings) {
-        if (dimension == 3 && spacing < 0.15) continue;
+        if (dimension == 3 && spacing < 0.07) continue;
         Scene scene = run.scene_at(spacing, preset);
         scene.stages.pop_back();
+        narrow(scene);
         scene.walls[retaining].velocity = {};
         scene.walls[retaining].moves_from.clear();
         if (dimension == 3) scene = extruded(std::move(scene), 4.0 * spacing);
@@ -194,15 +221,15 @@ void rest(CaseRun& run) {
         finest = rest_of(run, fmt::format("{}dx = {} m", who, spacing), *last);
         walls.push_back({spacing, finest.wall - 1.0});
       }
-      judge_rest(run, who, finest, walls);
+      judge_rest(run, who, dimension == 3, finest, walls);
     }
-    for (const double spacing : spacings) {
-      if (spacing != spacings.back()) continue;
+    for (const double spacing : yield_spacings) {
       for (const Pressure pressure : {Pressure::active, Pressure::passive}) {
         for (const bool dilatant : {true, false})
           judge_pressure(run, preset, spacing, pressure, true, dilatant, last);
       }
-      judge_pressure(run, preset, spacing, Pressure::active, false, true, last);
+      if (!run.short_form())
+        judge_pressure(run, preset, spacing, Pressure::active, false, true, last);
     }
   }
   run.finish(&*last);

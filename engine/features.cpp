@@ -48,7 +48,7 @@ std::vector<UsedFeature> used_features(const State& state) {
        state.images.count() > 0 ||
            std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
                        [](const Wall& w) { return w.kind == WallKind::free_slip; }),
-       "soil near free-slip walls is mirrored: exact"},
+       "soil near free-slip walls is mirrored"},
       {"moving walls",
        std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
                    [](const Wall& w) { return w.velocity != Vec3{}; }),

@@ -36,6 +36,10 @@ void rest(CaseRun& run);
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem disc_rotation_problem;
+void element(CaseRun& run);
+void footing(CaseRun& run);
+void vertical_cut(CaseRun& run);
+extern const ErrorProblem footing_problem;
 
 struct CaseRow {
   std::string_view name;
@@ -60,6 +64,11 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"couette", "verification", "Elastic layer sheared between rough walls.", couette},
     {"rest", "verification", "Soil at rest against a smooth wall, active and passive pressure.",
      rest},
+    {"element", "verification", "One stress point along the paths of laboratory tests.", element},
+    {"footing", "verification", "Strip footing pushed into weightless soil.", footing,
+     &footing_problem},
+    {"vertical_cut", "verification", "Vertical cut below and above its critical height.",
+     vertical_cut},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

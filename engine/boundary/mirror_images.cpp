@@ -32,6 +32,17 @@ void reflect_tensor(double* s, const Vec3& n) {
   s[zx] = t.zx;
 }
 
+/// Stress of the soil between a particle and its image: `weight` along the normal, K0 of it across.
+void add_weight(double* s, const Vec3& n, double weight, double lateral) {
+  const double across = weight * lateral, along = weight - across;
+  s[xx] += across + along * n[0] * n[0];
+  s[yy] += across + along * n[1] * n[1];
+  s[zz] += across + along * n[2] * n[2];
+  s[xy] += along * n[0] * n[1];
+  s[yz] += along * n[1] * n[2];
+  s[zx] += along * n[2] * n[0];
+}
+
 /// Inside the facet's footprint, which is widened by `margin` on every side.
 bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
   const double s = dot(from_origin, facet.tangent_u), t = dot(from_origin, facet.tangent_v);
@@ -44,27 +55,28 @@ bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
 
 void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
                           const std::vector<Vec3>& wall_offset, const PointSpan& soil,
-                          std::span<const SlotRange> ranges, double reach) {
+                          std::span<const SlotRange> ranges, std::span<const double> k0,
+                          double reach) {
   images_.clear();
   for (auto& axis : position_) axis.clear();
   for (std::size_t w = 0; w < scene.walls.size(); ++w) {
     if (scene.walls[w].kind != WallKind::free_slip || !stands[w]) continue;
     for (const Facet& facet : scene.walls[w].facets) {
       const auto earlier = count();
-      const auto consider = [&](const Vec3& x, std::int64_t source, double margin) {
+      const auto consider = [&](const Vec3& x, std::int64_t source, double lateral, double margin) {
         Vec3 from;
         for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - wall_offset[w][a];
         const double distance = dot(from, facet.normal);
         // Soil that has come a little behind the face keeps its image, which pushes it back.
         if (distance > reach || distance < -0.125 * reach || !in_footprint(facet, from, margin))
           return;
-        images_.push_back({source, w, facet.normal, facet.origin});
+        images_.push_back({source, w, facet.normal, facet.origin, lateral});
         for (std::size_t a = 0; a < 3; ++a)
           position_[a].push_back(x[a] - 2.0 * distance * facet.normal[a]);
       };
-      for (const SlotRange& range : ranges) {
-        for (std::int64_t k = range.begin; k < range.end; ++k) {
-          consider({soil.x[k], soil.y[k], soil.z != nullptr ? soil.z[k] : 0.0}, k, 0.0);
+      for (std::size_t r = 0; r < ranges.size(); ++r) {
+        for (std::int64_t k = ranges[r].begin; k < ranges[r].end; ++k) {
+          consider({soil.x[k], soil.y[k], soil.z != nullptr ? soil.z[k] : 0.0}, k, k0[r], 0.0);
         }
       }
       for (std::int64_t g = 0; g < earlier; ++g) {
@@ -72,7 +84,8 @@ void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
         // An image straight behind this very plane is no neighbour of it; those of other planes
         // are.
         if (images_[image].normal == facet.normal) continue;
-        consider({position_[0][image], position_[1][image], position_[2][image]}, -1 - g, reach);
+        consider({position_[0][image], position_[1][image], position_[2][image]}, -1 - g,
+                 images_[image].lateral, reach);
       }
     }
   }
@@ -80,7 +93,7 @@ void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
 
 void MirrorImages::pack(Records& records, double inverse_smoothing_length,
                         const std::vector<Vec3>& wall_offset,
-                        const std::vector<Vec3>& wall_velocity) const {
+                        const std::vector<Vec3>& wall_velocity, const Vec3& gravity) const {
   for (std::size_t g = 0; g < images_.size(); ++g) {
     const Image& image = images_[g];
     const std::int64_t source =
@@ -98,6 +111,10 @@ void MirrorImages::pack(Records& records, double inverse_smoothing_length,
     reflect(to + record_x, image.normal, distance);
     reflect(to + record_velocity_x, image.normal, velocity);
     reflect_tensor(to + record_stress, image.normal);
+    // Zero on planes along gravity, which stay exact planes of symmetry.
+    const double weight = 2.0 * distance / inverse_smoothing_length * from[record_density] *
+                          dot(gravity, image.normal);
+    add_weight(to + record_stress, image.normal, weight, image.lateral);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Mirror images of the soil behind free-slip walls: exact planes of symmetry.
+/// Mirror images of the soil behind free-slip walls.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,17 @@
 namespace scarp {
 
 /// Images are chosen when the lists are built and follow their sources every step: position and
-/// normal velocity (relative to the wall) reflected, stress R sigma R with R = I - 2 n n^T.
-/// Equation: B3. Limits: faces are flat; faces that meet must do so at right angles (images of
-/// images fill the corner).
+/// normal velocity (relative to the wall) reflected, stress R sigma R with R = I - 2 n n^T and the
+/// weight of the soil between: 2 d rho g.n T at the distance d, T = n n^T + K0 (I - n n^T). Exact
+/// planes of symmetry where gravity lies in the plane. Equation: B3. Limits: faces are flat; faces
+/// that meet must do so at right angles (images of images fill the corner).
 class MirrorImages {
  public:
   /// Soil within `reach` in front of a standing free-slip facet and inside its footprint, then the
-  /// images of images across the facets that follow.
+  /// images of images across the facets that follow. `k0` has a value for each range.
   void select(const Scene& scene, const std::vector<bool>& stands,
               const std::vector<Vec3>& wall_offset, const PointSpan& soil,
-              std::span<const SlotRange> ranges, double reach);
+              std::span<const SlotRange> ranges, std::span<const double> k0, double reach);
 
   std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
   PointSpan points() const {
@@ -35,7 +36,7 @@ class MirrorImages {
 
   /// Records of the images from those of their sources.
   void pack(Records& records, double inverse_smoothing_length, const std::vector<Vec3>& wall_offset,
-            const std::vector<Vec3>& wall_velocity) const;
+            const std::vector<Vec3>& wall_velocity, const Vec3& gravity) const;
   /// Artificial stress of the images from that of their sources.
   void pack_tension(Records& records) const;
   std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
@@ -45,7 +46,8 @@ class MirrorImages {
     std::int64_t source;  ///< soil slot, or -1 - image
     std::size_t wall;
     Vec3 normal;
-    Vec3 origin;  ///< a point of the facet before its wall moved
+    Vec3 origin;     ///< a point of the facet before its wall moved
+    double lateral;  ///< K0 of the soil it is an image of
   };
   std::vector<Image> images_;
   AlignedVector<double> position_[3];

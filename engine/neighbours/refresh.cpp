@@ -35,8 +35,11 @@ void rebuild(State& state) {
   const double reach = (2.0 + state.scene.numerics.skin) * state.smoothing_length;
   const double cell = 0.5 * reach;
   std::vector<SlotRange> ranges;
-  for (const ParticleGroup& group : state.particles.groups())
+  std::vector<double> k0;
+  for (const ParticleGroup& group : state.particles.groups()) {
     ranges.push_back({group.first, group.end()});
+    k0.push_back(state.material_constants[group.material].k0);
+  }
   state.soil_cells.build(state.threads, points_of(state.particles), ranges, cell);
   if (state.rebuilds % rebuilds_per_sort == 0) {
     sort_particles(state, ranges);
@@ -49,7 +52,7 @@ void rebuild(State& state) {
   // soil.
   const double image_reach = state.walls.count() > 0 ? 2.0 * reach : reach;
   state.images.select(state.scene, state.wall_stands, state.wall_offset, points_of(state.particles),
-                      ranges, image_reach);
+                      ranges, k0, image_reach);
   state.records.resize_images(state.images.count());
   NeighbourLists::Input input;
   input.points = points_of(state.particles);
@@ -100,7 +103,7 @@ void refresh_neighbours(State& state) {
     pack();
   }
   state.images.pack(state.records, state.scaling.inverse_smoothing_length, state.wall_offset,
-                    state.wall_velocity);
+                    state.wall_velocity, state.scene.gravity);
 }
 
 }  // namespace scarp

@@ -18,7 +18,6 @@ Numerics preset(const std::string& name) {
   Numerics paper = modern;
   paper.preset = name;
   paper.smoothing = SmoothingFunction::yang_liu;
-  paper.smoothing_ratio = 1.2;
   paper.lattice_normalisation = false;
   paper.gradient_correction = false;
   paper.stress_rotation = StressRotation::jaumann;

@@ -27,8 +27,8 @@ enum class InitialStress { zero, geostatic, uniform };
 /// One row per line of the presets' table (`engine/scene/SCENE.md`); `preset()` fills them.
 struct Numerics {
   std::string preset = "modern";
-  SmoothingFunction smoothing = SmoothingFunction::wendland_c2;
-  double smoothing_ratio = 1.5;       ///< smoothing length over particle spacing [-]
+  SmoothingFunction smoothing = SmoothingFunction::cubic_spline;
+  double smoothing_ratio = 1.2;       ///< smoothing length over particle spacing [-]
   bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
   bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
   StressRotation stress_rotation = StressRotation::hughes_winget;

@@ -11,7 +11,6 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/element/material_point.hpp"
 #include "validation/case_list.hpp"
 #include "validation/convergence.hpp"
 
@@ -253,51 +252,6 @@ void cylinder(CaseRun& run, const std::string& preset, std::optional<Simulation>
   }
 }
 
-/// Error of one stress point after a turn in equal steps, over the size of its stress.
-double point_error(const Scene& scene, int steps) {
-  constexpr std::array<double, 6> start{-100e3, 50e3, -20e3, 40e3, 0.0, 0.0};
-  const MaterialPoint point(scene, 0, 2);
-  PointState state = point.at(start);
-  const double angle = 2.0 * std::numbers::pi / steps;
-  for (int k = 0; k < steps; ++k)
-    state = point.advance(state, {0.0, -angle, 0.0, angle, 0.0, 0.0, 0.0, 0.0, 0.0});
-  double squares = 0.0, size = 0.0;
-  for (std::size_t c = 0; c < 6; ++c) {
-    const double weight = c < 3 ? 1.0 : 2.0;
-    squares += weight * std::pow(state.stress[c] - start[c], 2);
-    size += weight * start[c] * start[c];
-  }
-  return std::sqrt(squares / size);
-}
-
-/// One step of the Jaumann rate multiplies the deviator in the plane by 1 + 2 i w dt, where an
-/// exact one turns it by exp(2 i w dt). Here that deviator is 170 of 199.5 kPa, the size of the
-/// stress above.
-double jaumann_error(int steps) {
-  const double angle = 4.0 * std::numbers::pi / steps;
-  const double size = std::pow(1.0 + angle * angle, 0.5 * steps);
-  const double phase = steps * (std::atan(angle) - angle);
-  const double deviator = 75e3 * 75e3 * 2.0 + 40e3 * 40e3 * 2.0;
-  const double whole = 100e3 * 100e3 + 50e3 * 50e3 + 20e3 * 20e3 + 2.0 * 40e3 * 40e3;
-  return std::hypot(size * std::cos(phase) - 1.0, size * std::sin(phase)) *
-         std::sqrt(deviator / whole);
-}
-
-void stress_point(CaseRun& run) {
-  Scene scene = run.scene_at(0.1, "modern");
-  run.add(within("stress point, Hughes-Winget: error of a turn in 1000 steps",
-                 point_error(scene, 1000), "", 0.0, 0.0, 1e-4,
-                 "lag (w dt)^3/12 a step, felt twice: 4e-5"));
-  scene.numerics.stress_rotation = StressRotation::jaumann;
-  const double error = point_error(scene, 1000), expected = jaumann_error(1000);
-  run.add(within("stress point, Jaumann rate: error of a turn in 1000 steps", error, "", expected,
-                 expected * (1.0 - 1e-6), expected * (1.0 + 1e-6),
-                 "growth sqrt(1 + (2 w dt)^2) a step, to round-off"));
-  run.add(within("stress point, Jaumann rate: order in the step",
-                 std::log(point_error(scene, 1000) / point_error(scene, 4000)) / std::log(4.0), "",
-                 1.0, 0.9, 1.1, "first order"));
-}
-
 double outcome_of(CaseRun& run, const Scene& scene) {
   std::optional<Simulation> simulation;
   return turned(run, "disc", turning(scene, 1.0), simulation).stress_first;
@@ -310,7 +264,6 @@ const ErrorProblem disc_rotation_problem{
 
 void disc_rotation(CaseRun& run) {
   std::optional<Simulation> last;
-  stress_point(run);
   for (const std::string& preset : run.presets()) {
     if (!run.short_form()) cylinder(run, preset, last);
     if (preset == "paper") {

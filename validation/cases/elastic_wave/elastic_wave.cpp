@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/output/text_file.hpp"
 #include "validation/case_list.hpp"
 #include "validation/convergence.hpp"
 #include "validation/extruded.hpp"
@@ -118,7 +119,8 @@ void judge(CaseRun& run, const std::string& who, double moment, bool artificial_
   judge_convergence(
       run, who + (normalised ? "speed over c_p - 1" : "speed over c_p - M"), speeds,
       {0.01 * moment, normalised ? std::optional(1.0) : std::nullopt, "as the speed"});
-  // A speed of c (1 - e) shifts the phase of 2 3/8 periods by 14.9 e; the end is at 45 degrees.
+  // A speed of c (1 - e) shifts the phase of 2 3/8 periods by 14.9 e; sine and cosine of the end
+  // are 0.707.
   if (normalised) {
     judge_convergence(
         run, who + "L2 error of velocity", errors,
@@ -145,8 +147,18 @@ std::optional<Simulation> series(CaseRun& run, const std::string& preset, int di
     artificial_stress = scene.numerics.artificial_stress > 0.0;
     if (dimension == 3) scene = extruded(std::move(scene), 4.0 * spacing);
     ZeroCrossings crossings;
+    const StandingWave wave(scene);
+    CsvFile history(run.folder() / fmt::format("wave_{}_{}d_{}_{}.csv", preset, dimension,
+                                               whole ? "whole" : "elastic", spacing),
+                    {"time [s]", "amplitude [-]", "closed_form [-]"});
     last = run.solve(fmt::format("{}dx = {} m", who, spacing), scene,
-                     [&](const Simulation& simulation) { crossings.note(simulation); });
+                     [&](const Simulation& simulation) {
+                       crossings.note(simulation);
+                       const double time = simulation.last_step().time;
+                       history << time << share_of_shape(simulation)
+                               << std::cos(wave.wave_number * wave.speed * time);
+                       history.end_row();
+                     });
     if (!scene.numerics.lattice_normalisation) moment = last->lattice_moment();
     finest = measure(*last, crossings);
     errors.push_back({spacing, finest.error});

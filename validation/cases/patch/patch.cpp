@@ -126,7 +126,8 @@ Errors acceleration_errors(const Simulation& stepped) {
 Scene linear_scene(CaseRun& run, double spacing, const std::string& preset, int dimension) {
   Scene scene = run.scene_at(spacing, preset);
   if (dimension == 2) return scene;
-  // As deep as 14 spacings: six inside both supports of 4 at h = 1.5 dx and a skin.
+  // As deep as 14 spacings: eight layers are farther than a support of 3, at h = 1.5 dx, from both
+  // ends.
   scene = extruded(std::move(scene), 14.0 * spacing);
   scene.bodies.front().velocity_field[2] = fmt::format("{}*z", gradient_in_z);
   return scene;

@@ -153,16 +153,21 @@ TEST(ErrorTimeForecast, ScalesTheNearestSpacingAndFallsBackToThePreset) {
 }
 
 TEST(ErrorTimeLog, KeyTellsApartWhatDecidesARun) {
-  const Bench bench{"0.1.0", "avx2", "a processor", 2};
+  const Bench bench{"0.1.0", "avx2", "a processor", 2, "a build"};
   const Numerics numerics;
   const std::string key = run_key(bench, "case", "scene", 0.5, numerics, 0);
   EXPECT_EQ(key.size(), 16u);
   EXPECT_EQ(key, run_key(bench, "case", "scene", 0.5, numerics, 0));
   Numerics faster = numerics;
   faster.cfl *= 2.0;
-  EXPECT_NE(key, run_key({"0.1.0", "avx2", "a processor", 1}, "case", "scene", 0.5, numerics, 0));
-  EXPECT_NE(key, run_key({"0.2.0", "avx2", "a processor", 2}, "case", "scene", 0.5, numerics, 0));
-  EXPECT_NE(key, run_key({"0.1.0", "sse2", "a processor", 2}, "case", "scene", 0.5, numerics, 0));
+  EXPECT_NE(key, run_key({"0.1.0", "avx2", "a processor", 1, "a build"}, "case", "scene", 0.5,
+                         numerics, 0));
+  EXPECT_NE(key, run_key({"0.2.0", "avx2", "a processor", 2, "a build"}, "case", "scene", 0.5,
+                         numerics, 0));
+  EXPECT_NE(key, run_key({"0.1.0", "sse2", "a processor", 2, "a build"}, "case", "scene", 0.5,
+                         numerics, 0));
+  EXPECT_NE(key, run_key({"0.1.0", "avx2", "a processor", 2, "another"}, "case", "scene", 0.5,
+                         numerics, 0));
   EXPECT_NE(key, run_key(bench, "case", "other scene", 0.5, numerics, 0));
   EXPECT_NE(key, run_key(bench, "case", "scene", 0.25, numerics, 0));
   EXPECT_NE(key, run_key(bench, "case", "scene", 0.5, faster, 0));

@@ -257,7 +257,7 @@ void paper_disc(CaseRun& run, std::optional<Simulation>& last) {
 void cylinder(CaseRun& run, const std::string& preset, std::optional<Simulation>& last) {
   const double turns = preset == "paper" ? 2.0 : 10.0;
   for (const double spacing : run.spacings(
-           run.options().form == Form::full ? std::vector{0.2, 0.2, 0.125} : std::vector{0.2})) {
+           run.options().form == Form::full ? std::vector{0.2, 0.125} : std::vector{0.2})) {
     const Scene scene = turning(cylinder_scene(run.scene_at(spacing, preset)), turns);
     const std::string name = fmt::format("{} 3D, dx = {} m", preset, spacing);
     judge_motion(run, name + ": ", turned(run, name, scene, last), turns, preset != "paper");

@@ -130,7 +130,9 @@ void series(CaseRun& run, const std::string& preset, int dimension, bool tension
   std::array<double, 2> forces{};
   double stiffness = 1.0, layer_share = 0.0;
   for (const double spacing :
-       run.spacings(dimension == 3 ? std::vector{0.1, 0.1, 0.05} : std::vector{0.1, 0.05, 0.025})) {
+       run.spacings(dimension == 2                     ? std::vector{0.1, 0.05, 0.025}
+                    : run.options().form == Form::full ? std::vector{0.1, 0.05}
+                                                       : std::vector{0.1})) {
     Scene scene = run.scene_at(spacing, preset);
     if (!tension) scene.numerics.artificial_stress = 0.0;
     const Box& box = std::get<Box>(scene.bodies.front().shape);

@@ -165,7 +165,13 @@ double pressure_coefficient(const Simulation& simulation) {
          (layer.weight() * centre / (layer.length - moved));
 }
 
-constexpr const char* yield_band = "2 % as at rest, 1 % for what damping and wall speed leave";
+/// The same where soil that does not dilate fails along bands, with tan phi* = sin phi' on them
+/// instead of the coaxial sin phi'. Source: Davis (1968), Drescher and Detournay (1993), for psi =
+/// 0.
+double passive_coefficient_in_bands(double coaxial) {
+  const double sine = (coaxial - 1.0) / (coaxial + 1.0), angle = std::atan(sine);
+  return (1.0 + std::sin(angle)) / (1.0 - std::sin(angle));
+}
 
 void judge_pressure(CaseRun& run, const std::string& preset, double spacing, Pressure pressure,
                     bool smooth_base, bool dilatant, std::optional<Simulation>& last) {
@@ -173,27 +179,32 @@ void judge_pressure(CaseRun& run, const std::string& preset, double spacing, Pre
   scene = yielding(std::move(scene), pressure, smooth_base,
                    dilatant ? scene.materials.front().parameters[3] : 0.0);
   const double passive = passive_coefficient(scene.materials.front());
+  const double weakest = dilatant ? passive : passive_coefficient_in_bands(passive);
   const bool active = pressure == Pressure::active;
   const double expected = active ? 1.0 / passive : passive;
+  const double lowest = active ? 1.0 : weakest / passive;
+  const double highest = active ? passive / weakest : 1.0;
+  const std::string band = dilatant ? "3 %: 2 % as at rest, 1 % for damping and wall speed"
+                                    : "from coaxial flow to bands, 3 %";
   const std::string name = fmt::format("{} 2D, dx = {} m, {} pressure, {} base, psi = {}", preset,
                                        spacing, active ? "active" : "passive",
                                        smooth_base ? "smooth" : "rough", dilatant ? "phi" : "0");
   last = run.solve(name, scene);
+  const auto add = [&](const std::string& what, double coefficient, bool judged) {
+    const std::string title = fmt::format("{}: {} over {:.4f}", name, what, expected);
+    run.add(
+        judged ? within(title, coefficient / expected, "", 1.0, lowest - 0.03, highest + 0.03, band)
+               : reported(title, coefficient / expected, ""));
+  };
   const std::vector<double> stress = last->field("stress");
   double horizontal = 0.0, vertical = 0.0;
   for (std::size_t k = 0; k < stress.size(); k += 6) {
     horizontal += stress[k];
     vertical += stress[k + 1];
   }
-  if (smooth_base) {
-    const double k = horizontal / vertical / expected;
-    run.add(within(name + ": mean horizontal over mean vertical stress, over it", k, "", 1.0, 0.97,
-                   1.03, yield_band));
-  }
-  const double ratio = pressure_coefficient(*last) / expected;
-  run.add(within(
-      name + fmt::format(": force on the wall over {} = {:.4f}", active ? "K_a" : "K_p", expected),
-      ratio, "", 1.0, 0.97, 1.03, yield_band));
+  if (smooth_base) add("horizontal over vertical stress", horizontal / vertical, true);
+  // The corner's images are booked to one of its walls: an error of the order of dx/H.
+  add("force on the wall", pressure_coefficient(*last), !run.short_form());
 }
 
 }  // namespace
@@ -202,10 +213,10 @@ void rest(CaseRun& run) {
   // The short form keeps the finer of the two: the band of the force on the wall needs it.
   const std::vector<double> spacings =
       run.short_form() ? run.spacings({0.1}) : run.spacings({0.2, 0.1, 0.05});
-  const std::vector<double> yield_spacings = run.spacings({0.2, 0.1});
   std::optional<Simulation> last;
   for (const std::string& preset : run.presets()) {
     for (const int dimension : {2, 3}) {
+      if (dimension == 3 && preset == "paper" && run.short_form()) continue;
       const std::string who = fmt::format("{} {}D: ", preset, dimension);
       std::vector<ErrorAtSpacing> walls;
       AtRest finest;
@@ -223,7 +234,8 @@ void rest(CaseRun& run) {
       }
       judge_rest(run, who, dimension == 3, finest, walls);
     }
-    for (const double spacing : yield_spacings) {
+    if (run.short_form() && preset == "paper") continue;  // its steps are short, its runs long
+    for (const double spacing : run.spacings({0.2, 0.1})) {
       for (const Pressure pressure : {Pressure::active, Pressure::passive}) {
         for (const bool dilatant : {true, false})
           judge_pressure(run, preset, spacing, pressure, true, dilatant, last);

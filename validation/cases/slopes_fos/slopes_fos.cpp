@@ -23,6 +23,7 @@ struct PublishedSlope {
   const char* file;  ///< in the case's folder
   double lowest, highest;
   const char* source;
+  bool by_slices;                ///< published by a method of slices, as Bishop's is
   std::vector<double> spacings;  ///< of the full form, coarse to fine [m]
 };
 
@@ -33,18 +34,21 @@ const std::vector<PublishedSlope>& slopes() {
        1.403,
        1.408,
        "Arai and Tagyo (1985), example 1, circular",
+       true,
        {2.0, 1.0, 0.5}},
       {"Griffiths-Lane 1",
        "slopes_fos.toml",
        1.380,
        1.380,
        "Bishop and Morgenstern's chart, in Griffiths and Lane (1999)",
+       true,
        {0.5, 0.25, 0.125}},
       {"Griffiths-Lane 6, dry dam",
        "dam.toml",
        2.4,
        2.4,
        "Griffiths and Lane (1999), finite elements",
+       false,
        {2.84, 1.42, 0.71}},
   };
   return all;
@@ -128,9 +132,14 @@ void judge_finest(CaseRun& run, const PublishedSlope& published, const StrengthR
                reference,
                fmt::format("Bishop, own; {:.3g} spacings in the height",
                            slope.criterion().height / scene.spacing));
-  run.add(within(name + ": FOS by Bishop", reference, "",
-                 0.5 * (published.lowest + published.highest), 0.99 * published.lowest,
-                 1.01 * published.highest, std::string(published.source) + "; 1 %"));
+  if (published.by_slices) {
+    run.add(within(name + ": FOS by Bishop", reference, "",
+                   0.5 * (published.lowest + published.highest), 0.99 * published.lowest,
+                   1.01 * published.highest, std::string(published.source) + "; 1 %"));
+  } else {  // another method, to two digits: nothing to hold an oracle against
+    run.add(reported(name + ": FOS by Bishop", reference, "",
+                     fmt::format("{:g}, {}", published.lowest, published.source)));
+  }
   run.add(reported(name + ": Bishop's factor for shear at constant volume",
                    constant_volume_factor(reference, ground.friction_angle), "",
                    "what psi = 0 leaves of it in a thin band"));

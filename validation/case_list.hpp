@@ -30,16 +30,21 @@ void cuboid_3d(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
+void disc_rotation(CaseRun& run);
+void rings(CaseRun& run);
+void couette(CaseRun& run);
+void rest(CaseRun& run);
 void element(CaseRun& run);
 void footing(CaseRun& run);
 void vertical_cut(CaseRun& run);
-extern const ErrorProblem slope_2d_problem;
 void column_2d(CaseRun& run);
 void column_axisymmetric(CaseRun& run);
 void aluminium_bars(CaseRun& run);
 void slopes_fos(CaseRun& run);
+extern const ErrorProblem slope_2d_problem;
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
+extern const ErrorProblem disc_rotation_problem;
 extern const ErrorProblem footing_problem;
 extern const ErrorProblem aluminium_bars_problem;
 
@@ -60,6 +65,12 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",
      elastic_wave, &elastic_wave_problem},
     {"patch", "verification", "Linear velocity field and uniform stress on a free block.", patch},
+    {"disc_rotation", "verification", "Free elastic disc in rotation, one turn and ten.",
+     disc_rotation, &disc_rotation_problem},
+    {"rings", "verification", "Two rubber rings bounce: tensile instability.", rings},
+    {"couette", "verification", "Elastic layer sheared between rough walls.", couette},
+    {"rest", "verification", "Soil at rest against a smooth wall, active and passive pressure.",
+     rest},
     {"element", "verification", "One stress point along the paths of laboratory tests.", element},
     {"footing", "verification", "Strip footing pushed into weightless soil.", footing,
      &footing_problem},

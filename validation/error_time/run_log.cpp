@@ -71,10 +71,13 @@ const char* word(RunStatus status) { return status_words[static_cast<std::size_t
 
 std::string run_key(const Bench& bench, const std::string& case_name, const std::string& scene_text,
                     double spacing, const Numerics& numerics, int repeat) {
-  const std::string text =
-      fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", bench.version, bench.isa, bench.processor,
-                  bench.threads, case_name, scene_text, spacing, numerics_text(numerics), repeat);
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, 64 bits
+  return hash_of(fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", bench.version, bench.program,
+                             bench.isa, bench.processor, bench.threads, case_name, scene_text,
+                             spacing, numerics_text(numerics), repeat));
+}
+
+std::string hash_of(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char c : text) {
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
   }

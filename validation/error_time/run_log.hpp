@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "engine/scene/scene.hpp"
 #include "validation/error_time/settings.hpp"
@@ -16,7 +17,11 @@ namespace scarp::validation {
 struct Bench {
   std::string version, isa, processor;
   int threads = 0;
+  std::string program;  ///< hash of the program itself: another build measures anew
 };
+
+/// FNV-1a of 64 bits, in hexadecimal.
+std::string hash_of(std::string_view text);
 
 enum class RunStatus { ok, unstable, refused };
 const char* word(RunStatus status);

@@ -47,6 +47,7 @@ const std::vector<Axis>& numerics_axes() {
         {"verlet CFL 0.6", integrate<verlet, 60>},
         {"kick_drift_kick CFL 0.4", integrate<kick_drift_kick, 40>},
         {"kick_drift_kick CFL 0.8", integrate<kick_drift_kick, 80>},
+        {"kick_drift_kick CFL 1", integrate<kick_drift_kick, 100>},
         {"kick_drift_kick CFL 1.2", integrate<kick_drift_kick, 120>}}},
       {"stress_diffusion",
        {{"stress_diffusion 0", diffuse<0>}, {"stress_diffusion 0.1", diffuse<10>}}},

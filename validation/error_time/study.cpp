@@ -53,7 +53,8 @@ class Runner {
     }
     const Scene coarsest = cases_.scene_at(spacings_.front(), "modern");
     const Simulation probe(coarsest, options.run);
-    bench_ = {program_version(), probe.isa(), processor_name(), probe.threads()};
+    bench_ = {program_version(), probe.isa(), processor_name(), probe.threads(),
+              hash_of(read_text("/proc/self/exe"))};
     scene_text_ = read_text(coarsest.file);
     title_ = coarsest.title;
     forecast_ = Forecast(spacings_, coarsest.dimension);

@@ -106,11 +106,15 @@ void judge(CaseRun& run, const std::string& who, const std::vector<double>& spac
   const Deposit& finest = deposits.back();
   // One lost grain in 800 would leave the short form without a verdict on anything else.
   const std::string lost = who + "share of the soil lost through walls";
+  const double most_lost =
+      std::max_element(deposits.begin(), deposits.end(), [](const Deposit& a, const Deposit& b) {
+        return a.lost < b.lost;
+      })->lost;
   if (run.short_form()) {
-    run.add(reported(lost, finest.lost, "", "judged in the main form"));
+    run.add(reported(lost, most_lost, "", "judged in the main form"));
   } else {
-    run.add(within(lost, finest.lost, "", 0.0, 0.0, 0.0,
-                   "mass is conserved; lost: more than a spacing behind a wall"));
+    run.add(within(lost, most_lost, "", 0.0, 0.0, 0.0,
+                   "mass is conserved; at all spacings, more than a spacing behind a wall"));
   }
   run.add(within(who + "advance of the front in the last sqrt(H/g)",
                  (finest.run_out - finest.run_out_before) * length, "m", 0.0, -spacings.back(),

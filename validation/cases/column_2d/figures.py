@@ -14,7 +14,7 @@ def draw(page, folder, figures):
     columns.run_out(page, folder, figures, LAWS, 65.0)
     surfaces = sorted(folder.glob("surface_*_a*_phi30.csv"), key=lambda path: path.name.replace("paper", "z"))
     if surfaces:
-        figure, ax = plt.subplots(figsize=(9.0, 2.8))
+        figure, ax = plt.subplots(figsize=(9.0, 2.3))
         colours = {}
         for path in surfaces:
             _, preset, aspect, _ = path.stem.split("_")

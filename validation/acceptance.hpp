@@ -29,6 +29,8 @@ struct RunCost {
   double particle_steps = 0.0;
   double simulated_s = 0.0;
   double wall_s = 0.0;
+  double cpu_s = 0.0;         ///< of all threads
+  double memory_bytes = 0.0;  ///< of the simulation at the end
 };
 
 struct ErrorAtSpacing {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <system_error>
 
 #include "engine/cli/progress.hpp"
@@ -20,6 +21,9 @@ namespace {
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+/// Of all threads of this program.
+double cpu_now_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 const char* form_name(Form form) {
   return form == Form::short_form ? "short" : form == Form::main ? "main" : "full";
@@ -57,9 +61,11 @@ Scene CaseRun::scene(const Spacings& spacings) const {
 }
 
 Scene CaseRun::scene_at(double spacing, const std::string& preset) const {
-  const std::filesystem::path file =
-      data_folder() / "cases" / result_.case_name / (result_.case_name + ".toml");
-  return read_scene(file, {preset, spacing});
+  return scene_at(spacing, preset, result_.case_name + ".toml");
+}
+
+Scene CaseRun::scene_at(double spacing, const std::string& preset, const std::string& file) const {
+  return read_scene(data_folder() / "cases" / result_.case_name / file, {preset, spacing});
 }
 
 std::vector<std::string> CaseRun::presets() const {
@@ -89,14 +95,15 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
     fmt::print(stderr, "{}: {}, {} particles\n", result_.case_name, name, simulation.soil_count());
   }
   cli::Progress progress(cli::total_duration(simulation.scene()), options_.quiet);
-  const double start = now_s();
+  const double start = now_s(), cpu_start = cpu_now_s();
   const StepReport before = simulation.last_step();
   const auto book = [&] {
     const StepReport& after = simulation.last_step();
     const std::uint64_t steps = after.step - before.step;
     result_.runs.push_back(
         {name, steps, static_cast<double>(steps) * static_cast<double>(simulation.soil_count()),
-         after.time - before.time, now_s() - start});
+         after.time - before.time, now_s() - start, cpu_now_s() - cpu_start,
+         static_cast<double>(simulation.memory_bytes())});
     progress.end();
   };
   try {

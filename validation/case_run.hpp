@@ -44,6 +44,9 @@ class CaseRun {
   /// matter here. Errors: FileError, SceneError.
   Scene scene_at(double spacing, const std::string& preset) const;
 
+  /// The same of another file in the case's folder. Errors: FileError, SceneError.
+  Scene scene_at(double spacing, const std::string& preset, const std::string& file) const;
+
   /// Both presets, or the one asked for.
   std::vector<std::string> presets() const;
 
@@ -62,6 +65,8 @@ class CaseRun {
                  const std::function<void(const Simulation&)>& each_step = {});
 
   void add(Measure measure) { result_.measures.push_back(std::move(measure)); }
+  /// Books a run that was not stepped by this class.
+  void add(RunCost cost) { result_.runs.push_back(std::move(cost)); }
   void add(ConvergenceSeries series) { result_.convergence.push_back(std::move(series)); }
   const CaseOptions& options() const { return options_; }
   bool short_form() const { return options_.form == Form::short_form; }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -13,34 +12,12 @@
 
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
-#include "engine/scene/nearest_name.hpp"
 #include "engine/scene/units.hpp"
 #include "validation/case_list.hpp"
+#include "validation/error_time/command.hpp"
 #include "validation/report.hpp"
 
 namespace scarp::validation {
-
-std::vector<const CaseRow*> select_cases(const std::vector<std::string>& names) {
-  std::vector<const CaseRow*> chosen;
-  for (const std::string& name : names) {
-    const bool set = name == "paper" || name == "verification" || name == "all";
-    bool known = set;
-    for (const CaseRow& row : case_list) {
-      if (row.name != name && !(set && (name == "all" || row.set == name))) continue;
-      known = true;
-      if (std::find(chosen.begin(), chosen.end(), &row) == chosen.end()) chosen.push_back(&row);
-    }
-    if (known) continue;
-    std::vector<std::string> all{"paper", "verification", "all"};
-    for (const CaseRow& row : case_list) all.emplace_back(row.name);
-    throw Error(
-        fmt::format("case '{}': there is no such case or set. {} ('scarp-validate list' "
-                    "shows all.)",
-                    name, did_you_mean(name, all)));
-  }
-  if (chosen.empty()) throw Error("there is no case in this set yet. Try 'scarp-validate list'.");
-  return chosen;
-}
 
 namespace {
 
@@ -51,6 +28,7 @@ struct Arguments {
   CaseOptions options;
   bool short_form = false, full = false;
   std::string spacing, json, precision = "double", report_folder;
+  ErrorTimeArguments error_time;
 };
 
 nlohmann::ordered_json read_json(const std::filesystem::path& path) {
@@ -72,6 +50,17 @@ bool run_case(const CaseRow& row, const CaseOptions& options) {
   return passed(run.result());
 }
 
+/// Draws the page over all cases in the folder, which cases.json names for it.
+void write_overview(const std::filesystem::path& folder) {
+  nlohmann::ordered_json json{{"format", "scarp cases"}, {"version", 1}};
+  json["cases"] = nlohmann::ordered_json::array();
+  for (const CaseRow& row : case_list) {
+    json["cases"].push_back({{"name", row.name}, {"set", row.set}, {"sentence", row.sentence}});
+  }
+  replace_file(folder / "cases.json", json.dump(2) + "\n");
+  fmt::print(stderr, "all cases: {}\n", write_report(folder));
+}
+
 int run_command(Arguments& arguments) {
   const std::vector<const CaseRow*> rows = select_cases(arguments.cases);
   CaseOptions& options = arguments.options;
@@ -89,6 +78,7 @@ int run_command(Arguments& arguments) {
     results["cases"].push_back(read_json(options.out / row->name / "results.json"));
   }
   results["pass"] = all_pass;
+  if (rows.size() > 1) write_overview(options.out);
   if (arguments.json == "-") fmt::print("{}\n", results.dump(2));
   if (!arguments.json.empty() && arguments.json != "-") {
     replace_file(arguments.json, results.dump(2) + "\n");
@@ -96,14 +86,17 @@ int run_command(Arguments& arguments) {
   return all_pass ? ok : failed;
 }
 
-/// Draws again the report of one case, or of every case in a folder.
+/// Draws again the report of one case, of error against run time, or of everything in a folder.
 int report_command(const std::string& folder) {
   std::vector<std::filesystem::path> folders;
-  if (std::filesystem::exists(std::filesystem::path(folder) / "results.json")) {
-    folders.emplace_back(folder);
+  const std::filesystem::path here = folder;
+  const bool one = std::filesystem::exists(here / "results.json") ||
+                   std::filesystem::exists(here / "error_time.json");
+  if (one) {
+    folders.push_back(here);
   } else {
     for (const CaseRow& row : case_list) {
-      const std::filesystem::path inner = std::filesystem::path(folder) / row.name;
+      const std::filesystem::path inner = here / row.name;
       if (std::filesystem::exists(inner / "results.json")) folders.push_back(inner);
     }
   }
@@ -113,8 +106,34 @@ int report_command(const std::string& folder) {
         "'scarp-validate run' printed.",
         folder));
   }
+  if (!one && std::filesystem::exists(here / "error_time" / "error_time.json")) {
+    folders.push_back(here / "error_time");
+  }
   for (const auto& path : folders) fmt::print("{}\n", write_report(path));
+  if (!one) write_overview(here);
   return ok;
+}
+
+void add_error_time(CLI::App& command, ErrorTimeArguments& arguments) {
+  command.add_option("cases", arguments.cases, "Names of cases or sets; default all that can");
+  command
+      .add_option("--axis", arguments.axes,
+                  "Axes that vary, with commas or repeated; default all: " +
+                      fmt::format("{}", fmt::join(axis_names(), ", ")))
+      ->allow_extra_args(false);
+  command.add_flag("--short", arguments.options.short_form, "Two coarse spacings, few settings");
+  command.add_option("--repeats", arguments.options.repeats, "Runs of each setting; default 3")
+      ->check(CLI::Range(1, 100));
+  command.add_option("--budget", arguments.budget,
+                     "Begin no run that would not end within this, e.g. \"90 min\"");
+  command.add_option("-o,--out", arguments.out, "Folder for error_time/; default out");
+  command
+      .add_option("--threads", arguments.options.run.threads, "Threads; 0 takes what OpenMP offers")
+      ->check(CLI::Range(0, 4096));
+  command.add_option("--isa", arguments.options.run.isa, "Instruction set: sse2, avx2, avx512")
+      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+  command.add_option("--json", arguments.json, "Write the sentences here, - for standard output");
+  command.add_flag("-q,--quiet", arguments.options.quiet, "No progress");
 }
 
 int run_program(int argc, char** argv) {
@@ -143,8 +162,14 @@ int run_program(int argc, char** argv) {
   run->add_option("--json", arguments.json, "Write all results here, - for standard output");
   run->add_flag("-q,--quiet", options.quiet, "No progress");
 
-  CLI::App* report = app.add_subcommand("report", "Draw the report of finished cases again");
-  report->add_option("folder", arguments.report_folder, "Folder of a case, or of several")
+  CLI::App* error_time = app.add_subcommand(
+      "error-time", "Error against run time: settings tried, the front, what to take");
+  add_error_time(*error_time, arguments.error_time);
+
+  CLI::App* report =
+      app.add_subcommand("report", "Draw reports again: of a case, of all, of error-time");
+  report
+      ->add_option("folder", arguments.report_folder, "Folder of a case, of several, or error_time")
       ->required()
       ->check(CLI::ExistingDirectory);
 
@@ -157,6 +182,7 @@ int run_program(int argc, char** argv) {
     for (const CaseRow& row : case_list) fmt::print("{:<12} {}\n", row.name, row.sentence);
     return ok;
   }
+  if (*error_time) return error_time_command(arguments.error_time);
   return *run ? run_command(arguments) : report_command(arguments.report_folder);
 }
 
@@ -167,7 +193,7 @@ int main(int argc, char** argv) {
   try {
     return scarp::validation::run_program(argc, argv);
   } catch (const scarp::UnitError& error) {
-    fmt::print(stderr, "scarp-validate: --spacing: {}\n", error.what());
+    fmt::print(stderr, "scarp-validate: --spacing or --budget: {}\n", error.what());
     return scarp::validation::usage;
   } catch (const std::exception& error) {
     fmt::print(stderr, "scarp-validate: {}\n", error.what());

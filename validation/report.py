@@ -1,17 +1,21 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws a validation case: `report.py DIR` makes DIR/report.html and DIR/figures from what the case left."""
+"""Draws what scarp-validate left in a folder: `report.py DIR` makes DIR/report.html and its figures. DIR is the folder
+of a case, of several (cases.json names them), or of error against run time."""
 
 import importlib.util
 import pathlib
 import sys
 
 _here = pathlib.Path(__file__).resolve().parent
-for _place in (_here.parent / "engine" / "report", _here.parent / "report"):  # in the sources, or installed
+for _place in (_here.parent / "engine" / "report", _here.parent / "report",  # in the sources, or installed
+               _here / "error_time"):
     if _place.exists():
         sys.path.insert(0, str(_place))
 import scarp_report as scarp  # noqa: E402
+import error_time_page  # noqa: E402
 import numpy as np  # noqa: E402
+import overview  # noqa: E402
 
 plt = scarp.plt
 
@@ -80,12 +84,24 @@ def report(folder):
     scarp.history_figures(page, folder, figures)
     page.section("Machine, versions, numerics")
     scarp.machine_section(page, results)
+    if page.images:  # the first one stands for the case on the page over all
+        figures.mkdir(exist_ok=True)
+        (figures / "main.png").write_bytes(page.images[0])
     path = folder / "report.html"
     page.save(path)
     return path
 
 
+def main(folder):
+    if (folder / "error_time.json").exists():
+        error_time_page.error_time_page(folder)
+    elif (folder / "results.json").exists():
+        report(folder)
+    else:
+        overview.overview(folder)
+
+
 if __name__ == "__main__":
     if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
-        sys.exit("usage: report.py DIR (the folder of a case)")
-    report(sys.argv[1])
+        sys.exit("usage: report.py DIR (the folder of a case, of several, or of error_time)")
+    main(pathlib.Path(sys.argv[1]))

@@ -2,6 +2,7 @@
 /// The subcommands of `scarp`; each returns the exit code and throws the library's errors.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,6 +42,19 @@ struct ConvergeArguments {
   bool quiet = false;
 };
 
+struct FosArguments {
+  SceneArguments scene;
+  std::string height;  ///< of the slope; empty: that of the ground
+  std::string ramp;    ///< time that the cut takes; empty: 1.4 free falls over the height
+  std::string window;  ///< time after the cut in which a slope must fail; empty: five free falls
+  std::string probe;   ///< empty: the scene's first
+  double tolerance = 0.01;  ///< width of the bracket over its middle
+  double from = 1.0;
+  std::optional<double> to;
+  std::string folder;  ///< empty: out/<stem of the scene file>_fos
+  bool quiet = false;
+};
+
 struct ElementArguments {
   SceneArguments scene;
   std::string path, material;  ///< empty material: the only one
@@ -63,6 +77,7 @@ void write_text(const std::string& target, const std::string& text);
 int run_command(const RunArguments& arguments);
 int check_command(const SceneArguments& arguments);
 int converge_command(const ConvergeArguments& arguments);
+int fos_command(const FosArguments& arguments);
 int element_command(const ElementArguments& arguments);
 
 /// `silent`: the page's path is not printed.

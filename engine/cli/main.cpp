@@ -13,6 +13,7 @@
 #include "engine/cli/commands.hpp"
 #include "engine/element/element_path.hpp"
 #include "engine/errors.hpp"
+#include "engine/fos/limit_search.hpp"
 
 namespace {
 
@@ -61,6 +62,37 @@ CLI::App* add_element_command(CLI::App& app, ElementArguments& element) {
   return command;
 }
 
+CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
+  CLI::App* command = app.add_subcommand(
+      "fos", "Factor of safety of a slope: cut its strength until it fails; leaves report.html");
+  add_scene_options(*command, fos.scene);
+  add_spacing_option(*command, fos.scene);
+  command
+      ->add_option("--tolerance", fos.tolerance,
+                   "Width of the enclosing bracket over its middle; default 0.01")
+      ->check(CLI::Range(1e-4, 1.0));
+  command->add_option("--from", fos.from, "Strength reduction factor tried first; default 1")
+      ->check(CLI::Range(scarp::least_reduction, scarp::most_reduction));
+  command->add_option("--to", fos.to, "... and tried next if the slope stands with that")
+      ->check(CLI::Range(scarp::least_reduction, scarp::most_reduction));
+  command->add_option("--ramp", fos.ramp,
+                      "Time that the cut takes, 0 for at once; default 1.4 free falls over the "
+                      "slope's height");
+  command->add_option(
+      "--window", fos.window,
+      "Time after the cut in which a slope must fail, e.g. \"4 s\"; default five free "
+      "falls");
+  command->add_option("--probe", fos.probe,
+                      "Probe whose displacement is judged; default the scene's first, else the "
+                      "largest displacement");
+  command->add_option("--height", fos.height,
+                      "Height of the slope, e.g. \"10 m\"; default that of the ground");
+  command->add_option("-o,--out", fos.folder,
+                      "Output folder; default out/<name of the scene file>_fos");
+  command->add_flag("-q,--quiet", fos.quiet, "No progress");
+  return command;
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app{"Smoothed-particle hydrodynamics for slope failure and granular collapse"};
   app.set_version_flag("--version", "scarp " SCARP_VERSION);
@@ -96,6 +128,9 @@ int run_program(int argc, char** argv) {
                            "Output folder; default out/<name of the scene file>_converge");
   converge_app->add_flag("-q,--quiet", converge.quiet, "No progress");
 
+  FosArguments fos;
+  CLI::App* fos_app = add_fos_command(app, fos);
+
   ElementArguments element;
   CLI::App* element_app = add_element_command(app, element);
 
@@ -113,6 +148,7 @@ int run_program(int argc, char** argv) {
   if (*run_app) return run_command(run);
   if (*check_app) return check_command(check);
   if (*converge_app) return converge_command(converge);
+  if (*fos_app) return fos_command(fos);
   if (*element_app) return element_command(element);
   return report_command(report_folder);
 }

@@ -11,6 +11,20 @@
 #include <cstdio>
 
 namespace scarp::cli {
+namespace {
+
+/// Simulated time of the stages behind, at most [s]: one that ended at rest before its time was up
+/// counts in full.
+double stages_before(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  double time = 0.0;
+  for (std::size_t s = 0; s < std::min(simulation.stage_index(), scene.stages.size()); ++s) {
+    time += scene.stages[s].duration;
+  }
+  return time;
+}
+
+}  // namespace
 
 std::string readable_duration(double seconds) {
   if (!std::isfinite(seconds) || seconds > 3.6e8) return "unknown";
@@ -38,17 +52,19 @@ Progress::Progress(double total_time, bool quiet)
 
 void Progress::update(const Simulation& simulation) {
   if (quiet_) return;
+  const StepReport& report = simulation.last_step();
+  if (time_before_ < 0.0) {
+    const double stage_before = std::fmax(report.stage_time - report.time_step, 0.0);
+    time_before_ = stages_before(simulation) + stage_before;
+    steps_before_ = report.step > 0 ? report.step - 1 : 0;
+  }
   const auto now = Clock::now();
   const double pause = terminal_ ? 0.2 : 5.0;
   if (std::chrono::duration<double>(now - last_).count() < pause) return;
   last_ = now;
-  // A stage that ends at rest before its time is up counts as done in full.
-  const Scene& scene = simulation.scene();
-  double done = simulation.last_step().stage_time;
-  for (std::size_t s = 0; s < std::min(simulation.stage_index(), scene.stages.size()); ++s) {
-    done += scene.stages[s].duration;
-  }
-  const double fraction = total_time_ > 0.0 ? std::clamp(done / total_time_, 0.0, 1.0) : 0.0;
+  const double done = stages_before(simulation) + report.stage_time - time_before_;
+  const double total = total_time_ - time_before_;
+  const double fraction = total > 0.0 ? std::clamp(done / total, 0.0, 1.0) : 0.0;
   const std::string line =
       text(simulation, std::chrono::duration<double>(now - start_).count(), fraction);
   if (terminal_) {
@@ -67,7 +83,7 @@ std::string Progress::text(const Simulation& simulation, double elapsed, double 
   const StepReport& report = simulation.last_step();
   const std::size_t stage = simulation.stage_index();
   const double rate = static_cast<double>(simulation.soil_count()) *
-                      static_cast<double>(report.step) / std::fmax(elapsed, 1e-9);
+                      static_cast<double>(report.step - steps_before_) / std::fmax(elapsed, 1e-9);
   return fmt::format("{:3.0f} %  {:.4g} s  {}  step {}  {:.3g} M particle-steps/s  {} left",
                      100.0 * fraction, report.time,
                      stage < scene.stages.size() ? scene.stages[stage].name : "-", report.step,

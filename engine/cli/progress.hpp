@@ -11,7 +11,8 @@ namespace scarp::cli {
 
 class Progress {
  public:
-  /// `total_time`: simulated time of all stages, at most [s].
+  /// `total_time`: simulated time of all stages, at most [s]. What a simulation had behind it at
+  /// the first `update` counts for nothing.
   Progress(double total_time, bool quiet);
   void update(const Simulation& simulation);
   /// Ends the bar's line.
@@ -22,7 +23,8 @@ class Progress {
 
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now(), last_ = start_;
-  double total_time_;
+  double total_time_, time_before_ = -1.0;  ///< [s]; negative: not known yet
+  std::uint64_t steps_before_ = 0;
   bool quiet_, terminal_, drawn_ = false;
 };
 

@@ -21,15 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr int format_version = 1;
 
-/// The processor's name as Linux gives it; elsewhere it stays unknown.
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
-
 Json json_of(const Measure& measure) {
   Json json{{"name", measure.name}, {"value", measure.value}, {"unit", measure.unit}};
   json["reference"] = measure.reference ? Json(*measure.reference) : Json();
@@ -71,6 +62,16 @@ Json verdict(const RunResults& results) {
 }
 
 }  // namespace
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::string program_version() { return SCARP_VERSION; }
 
 std::vector<Measure> basic_measures(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
@@ -141,7 +142,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"machine",
              {{"processor", processor_name()},
               {"hardware_threads", std::thread::hardware_concurrency()}}},
-            {"versions", {{"scarp", SCARP_VERSION}, {"compiler", __VERSION__}}}};
+            {"versions", {{"scarp", program_version()}, {"compiler", __VERSION__}}}};
   for (const Measure& measure : results.measures) json["measures"].push_back(json_of(measure));
   for (const StageResult& stage : results.stages) {
     json["stages"].push_back({{"name", stage.name},

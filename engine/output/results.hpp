@@ -30,6 +30,12 @@ struct StageResult {
   bool reached_rest = false;
 };
 
+/// The processor's name as Linux gives it, else "unknown".
+std::string processor_name();
+
+/// The version of scarp.
+std::string program_version();
+
 /// Basic facts of the present state, none of them judged: largest displacement, residual velocity,
 /// mass, energies.
 std::vector<Measure> basic_measures(const Simulation& simulation);

@@ -21,6 +21,8 @@ figcaption{font-size:.86em;color:#444;margin-top:.3em}
 border:1px solid;print-color-adjust:exact;-webkit-print-color-adjust:exact}
 .pass{color:#0b5d2a;background:#e2f4e8;border-color:#7fc29a}.fail{color:#8c1010;background:#fde6e4;border-color:#e08a84}
 .reported{color:#444;background:#f0f0f0;border-color:#bbb}
+.thumbnails{display:grid;grid-template-columns:repeat(auto-fill,minmax(300px,1fr));gap:1em}
+.thumbnails figure{margin:0}.thumbnails img{height:200px;width:100%;object-fit:contain;object-position:left top}
 .problem{border-left:4px solid #c62828;padding:.4em 1em;background:#fdf3f2}
 .scroll{overflow-x:auto}
 @media print{body{margin:0;max-width:none;font-size:11px}figure,tr{break-inside:avoid}h2,h3{break-after:avoid}}
@@ -81,11 +83,22 @@ def _without_margins(png):
     return cropped
 
 
+def _small(png, size=(700, 460)):
+    """The PNG scaled down to fit, sharp at twice the size it is shown in."""
+    from PIL import Image
+    image = Image.open(io.BytesIO(png)).convert("RGB")
+    image.thumbnail(size, Image.LANCZOS)
+    scaled = io.BytesIO()
+    image.save(scaled, format="png", optimize=True)
+    return scaled.getvalue()
+
+
 class Page:
     """Collects the parts; `save` writes one file that needs no other."""
 
     def __init__(self, title, lead=""):
         self.title, self.parts = title, [f"<h1>{html.escape(title)}</h1>"]
+        self.images = []  # bytes of the PNG figures, in order
         if lead:
             self.parts.append(f'<p class="lead">{html.escape(lead)}</p>')
 
@@ -140,7 +153,19 @@ class Page:
             pathlib.Path(file).write_bytes(data.getvalue())
         self._image(data.getvalue(), "png", caption)
 
+    def thumbnails(self, items):
+        """Small pictures side by side, each (PNG file, link, caption)."""
+        cells = []
+        for path, link, caption in items:
+            code = base64.b64encode(_small(pathlib.Path(path).read_bytes())).decode()
+            caption = html.escape(caption)
+            cells.append(f'<figure><a href="{html.escape(link, quote=True)}"><img alt="{caption}" '
+                         f'src="data:image/png;base64,{code}"></a><figcaption>{caption}</figcaption></figure>')
+        self.parts.append(f'<div class="thumbnails">{"".join(cells)}</div>')
+
     def _image(self, data, kind, caption):
+        if kind == "png":
+            self.images.append(data)
         code = base64.b64encode(data).decode()
         caption = html.escape(caption)
         self.parts.append(f'<figure><img alt="{caption}" src="data:image/{kind};base64,{code}">'

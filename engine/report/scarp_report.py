@@ -16,6 +16,7 @@ try:
     from scarp_frames import (frame_info, load_frame, load_walls, read_results, read_series, read_table,
                               scalar)
     from scarp_converge import converge_page
+    from scarp_fos import fos_page
     from scarp_page import Page, Raw, badge, band, number  # noqa: F401
 except ImportError as error:
     sys.exit(f"scarp report: {error}; install Debian's python3-matplotlib and python3-h5py.")
@@ -225,10 +226,12 @@ def run_parts(page, folder, results, level=2):
 
 
 def report(folder, out=None):
-    """Writes the page of one run, or of what `scarp converge` left; returns its path."""
+    """Writes the page of one run, or of what `scarp converge` or `scarp fos` left; returns its path."""
     folder = pathlib.Path(folder)
     if (folder / "converge.json").exists():
         return converge_page(folder, out)
+    if (folder / "fos.json").exists():
+        return fos_page(folder, out)
     results = read_results(folder)
     page = Page(results.get("title") or results.get("case") or folder.name,
                 f"scarp run “{results.get('case', folder.name)}”")

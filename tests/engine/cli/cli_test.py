@@ -5,6 +5,7 @@ Usage: cli_test.py PATH_OF_SCARP"""
 
 import json
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -57,6 +58,42 @@ damping = 30
 [[probe]]
 name = "top"
 at = [0.5, 4]
+"""
+
+SLOPE = """title = "Slope"
+dimension = 2
+spacing = "1 m"
+[[material]]
+name = "clay"
+density = 2000.0
+youngs_modulus = "100 MPa"
+poisson_ratio = 0.3
+cohesion = "10 kPa"
+friction_angle = "20 deg"
+dilation_angle = "9 deg"
+[[body]]
+material = "clay"
+polygon = [[0, 0], [45, 0], [45, 5], [32, 5], [12, 15], [0, 15]]
+[[wall]]
+name = "base"
+kind = "no_slip"
+line = [[0, 0], [45, 0]]
+[[wall]]
+name = "sides"
+kind = "free_slip"
+box = {min = [0, 0], max = [45, 20], open = ["-y", "+y"]}
+[initial]
+stress = "geostatic"
+[[stage]]
+name = "settle"
+until = "rest"
+duration = "5 s"
+[[stage]]
+name = "fail"
+duration = "5 s"
+[[probe]]
+name = "crest"
+at = [12, 15]
 """
 
 
@@ -154,6 +191,69 @@ class CliTest(unittest.TestCase):
         self.assertIn("For 5 %", done.stdout)
         for spacings in ("1,0.5", "1,1,0.5", "1,0.5,0", "1,0.5,1 kg"):
             self.assertEqual(self.scarp("converge", "column.toml", "--spacings", spacings).returncode, 2, spacings)
+
+    def test_fos_finds_a_factor_and_shows_the_failure(self):
+        (self.folder / "slope.toml").write_text(SLOPE)
+        done = self.scarp("fos", "slope.toml", "--threads", "1", "--from", "1.2", "--to", "1.6", "--tolerance", "0.05",
+                          "--json", "-")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("SRF 1.2 stands", done.stderr)
+        study = json.loads(done.stdout)
+        # Bishop: 1.377; ten spacings in the height are good for no better than ten per cent.
+        self.assertAlmostEqual(study["factor_of_safety"], 1.377, delta=0.138)
+        self.assertLess(study["stands"], study["fails"])
+        self.assertEqual((study["complete"], study["failure"]), (True, None))
+        criterion = study["criterion"]
+        self.assertAlmostEqual(criterion["height"], 10.0, places=6)
+        self.assertAlmostEqual(criterion["limit"], 0.1, places=8)
+        self.assertEqual(criterion["probe"], "crest")
+        self.assertIn("10 spacings high", study["resolution"])
+        self.assertEqual([t["reduction"] for t in study["trials"][:2]], [1.2, 1.6])
+        for trial in study["trials"]:
+            self.assertEqual(trial["fails"], trial["displacement"] > criterion["limit"] + criterion["elastic"])
+        out = self.folder / "out" / "slope_fos"
+        self.assertEqual(json.loads((out / "fos.json").read_text()), study)
+        self.assertEqual(len((out / "fos.csv").read_text().splitlines()), 1 + len(study["trials"]))
+        self.assertTrue((out / "failure" / "frames" / "soil.hdf.series").exists())
+        self.assertEqual(json.loads((out / "failure" / "results.json").read_text())["complete"], True)
+        self.assertTrue((out / "figures" / "failure_accumulated_plastic_strain.png").exists())
+        self.assertIn("Factor of safety 1.", (out / "report.html").read_text())
+
+    def test_fos_says_what_it_cannot_use(self):
+        (self.folder / "slope.toml").write_text(SLOPE)
+        for arguments, word in ((["--probe", "crset"], "'crest'"), (["--from", "1.5", "--to", "1.2"], "--to"),
+                                (["--height", "1 kg"], "--height"), (["--height", "-1"], "--height"),
+                                (["--window", "0 s"], "--window"), (["--ramp", "-1 s"], "--ramp"),
+                                (["--tolerance", "0"], "--tolerance"), (["--from", "1e6"], "--from")):
+            done = self.scarp("fos", "slope.toml", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), arguments)
+            self.assertIn(word, done.stderr)
+        for scene, old, new, word in (("missing.toml", "", "", "missing.toml"),
+                                      ("unsettled.toml", 'until = "rest"\n', "", 'until = "rest"'),
+                                      ("level.toml", "[45, 5], [32, 5], [12, 15], [0, 15]", "[45, 5], [0, 5]", "--height"),
+                                      ("weak.toml", '"10 kPa"', '"1 kPa"', "strength_reduction below 1")):
+            if old:
+                (self.folder / scene).write_text(SLOPE.replace(old, new))
+            done = self.scarp("fos", scene, "-q")
+            self.assertEqual((done.returncode, done.stdout), (1, ""), scene)
+            self.assertIn(scene, done.stderr)
+            self.assertIn(word, done.stderr)
+        one = self.scarp("fos", "block.toml")
+        self.assertEqual(one.returncode, 1)
+        self.assertIn("needs two", one.stderr)
+
+    def test_fos_interrupted_leaves_what_is_known(self):
+        (self.folder / "slope.toml").write_text(SLOPE)
+        with subprocess.Popen([SCARP, "fos", "slope.toml", "--spacing", "0.25", "--threads", "1"], cwd=self.folder,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+            for line in process.stderr:
+                if line.startswith("SRF 1 stands"):
+                    process.send_signal(signal.SIGINT)
+                    break
+            process.stderr.read()
+            self.assertEqual(process.wait(60), 130)
+        study = json.loads((self.folder / "out" / "slope_fos" / "fos.json").read_text())
+        self.assertEqual((study["complete"], study["stands"], study["fails"]), (False, 1.0, None))
 
     def test_element_leaves_a_table_and_a_summary(self):
         done = self.scarp("element", "block.toml", "--path", "triaxial", "--strain", "0.001", "--steps", "10",

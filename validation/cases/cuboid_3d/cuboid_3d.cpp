@@ -8,6 +8,7 @@
 
 #include "engine/errors.hpp"
 #include "validation/case_list.hpp"
+#include "validation/deposit.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -53,12 +54,6 @@ class Lattice {
 
   double spacing_;
 };
-
-double quantile(std::vector<double> values, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
 
 /// The weight is carried by the base and, where the gate is rough, by its drag.
 void judge_settled(CaseRun& run, const Simulation& settled) {

@@ -49,5 +49,5 @@ def draw(page, folder, figures):
         ax.set_ylabel("crest displacement [m]")
         ax.grid(alpha=0.25, linewidth=0.5)
         ax.legend(fontsize=8)
-        page.figure(figure, "Displacement of the crest 4 s after the strength was cut, from one settled slope.",
+        page.figure(figure, "Largest displacement of the crest after the strength was cut, from one settled slope; runs that cross the limit end there.",
                     figures / "displacement_srf.png")

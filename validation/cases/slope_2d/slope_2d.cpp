@@ -5,59 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 #include "validation/cases/slope_2d/slip_band.hpp"
+#include "validation/factor_of_safety.hpp"
 
 namespace scarp::validation {
 namespace {
 
-using kernels::DruckerPrager;
-
 constexpr std::size_t crest = 0, toe = 1;  // probes of the scene
 constexpr double slope_height = 10.0;      // [m]
-constexpr double failing_displacement = 0.01 * slope_height;
-constexpr double window = 4.0;  // [s]; 2 % above the limit 1 % of the height takes about 2 s
-
-/// What one strength did to the slope within the window.
-struct Response {
-  double reduction = 1.0;
-  double displacement = 0.0;  ///< of the crest [m]
-  double speed = 0.0;         ///< of the crest at the end [m/s]
-  double beyond_elastic = 0.0;
-};
-
-double size_of(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
-
-Slope slope_of(const Scene& scene) {
-  const auto& outline = std::get<Polygon>(scene.bodies.front().shape).points;
-  const auto& p = scene.materials.front().parameters;
-  Slope slope;
-  // The outline runs counter-clockwise from the lower left corner.
-  slope.surface.assign(outline.rbegin(), outline.rend() - 2);
-  slope.base = outline.front()[1];
-  slope.unit_weight = scene.materials.front().density * -scene.gravity[1];
-  slope.cohesion = p[DruckerPrager::cohesion];
-  slope.friction_angle = p[DruckerPrager::friction_angle];
-  return slope;
-}
-
-void write_bishop(const CaseRun& run, const Slope& slope, const BishopResult& bishop) {
-  nlohmann::ordered_json json{
-      {"method", "Bishop's simplified method, dry"},
-      {"factor_of_safety", bishop.factor_of_safety},
-      {"circle",
-       {{"x", bishop.circle.x}, {"y", bishop.circle.y}, {"radius", bishop.circle.radius}}},
-      {"entry", bishop.entry},
-      {"exit", bishop.exit},
-      {"surface", slope.surface},
-      {"base", slope.base}};
-  replace_file(run.folder() / "bishop.json", json.dump(2) + "\n");
-}
 
 /// Vertical stress of the settled slope against the weight above, where the ground is level and the
 /// face more than its own height away.
@@ -102,50 +61,31 @@ Stage stage_of(const Scene& scene, double reduction, double duration) {
   return stage;
 }
 
-/// Crest after `window` at one strength, from a copy of the settled slope.
-Response respond(CaseRun& run, const Simulation& settled, double reduction, double elastic) {
-  Simulation simulation = settled.clone();
-  simulation.set_following_stages({stage_of(settled.scene(), reduction, window)});
-  run.run_stage(fmt::format("SRF {:.4g}", reduction), simulation);
-  const ProbeSample sample = simulation.probe(crest);
-  const double displacement = size_of(sample.displacement);
-  return {reduction, displacement, size_of(sample.velocity), displacement - elastic};
-}
-
 /// Displacement against strength: 1.0 gives the elastic response, then the limit is enclosed.
 void judge_strengths(CaseRun& run, const Simulation& settled, const BishopResult& bishop) {
-  std::vector<Response> curve{respond(run, settled, 1.0, 0.0)};
-  const double elastic = curve.front().displacement;
-  for (const double reduction : {1.2, 1.6}) {
-    curve.push_back(respond(run, settled, reduction, elastic));
-  }
+  CriterionOptions options;
+  options.early_stop = false;  // the displacements of those that stand are judged
+  StrengthReduction slope(settled.clone(), choose_criterion(settled.scene(), options));
+  const SearchOptions search{1.2, 1.6, run.short_form() ? 0.04 : 0.02};
+  const FactorOfSafety found = search_factor(run, "", slope, search);
+  const Criterion& criterion = slope.criterion();
+  const auto at = [&](double reduction) {  // NaN fails
+    const auto same = [&](const Trial& trial) { return trial.reduction == reduction; };
+    const auto trial = std::find_if(found.trials.begin(), found.trials.end(), same);
+    return trial == found.trials.end() ? std::nan("") : trial->displacement - criterion.elastic;
+  };
   const std::string standing = "holds below the limit; 1 cm is a tenth of the failure criterion";
-  run.add(within("crest displacement at SRF 1.0", elastic, "m", 0.0, 0.0, 0.01, standing));
-  run.add(within("crest beyond elastic response at SRF 1.2", curve[1].beyond_elastic, "m", 0.0,
-                 -0.01, 0.01, standing));
-  run.add(within("crest beyond elastic response at SRF 1.6", curve[2].beyond_elastic, "m", {},
-                 failing_displacement, slope_height,
-                 fmt::format("fails: over 1 % of the height within {:.0f} s", window)));
-  double low = 1.2, high = 1.6;
-  if (curve[1].beyond_elastic > failing_displacement) low = 1.0;
-  const double resolution = run.short_form() ? 0.06 : 0.03;
-  while (high - low > resolution) {
-    const double middle = 0.5 * (low + high);
-    curve.push_back(respond(run, settled, middle, elastic));
-    (curve.back().beyond_elastic > failing_displacement ? high : low) = middle;
-  }
-  const double factor = 0.5 * (low + high), reference = bishop.factor_of_safety;
-  run.add(within("FOS by the displacement of the crest", factor, "", reference, 0.96 * reference,
-                 1.04 * reference,
-                 fmt::format("Bishop, own; lies in [{:.4g}, {:.4g}]", low, high)));
-  std::sort(curve.begin(), curve.end(),
-            [](const Response& a, const Response& b) { return a.reduction < b.reduction; });
-  CsvFile table(run.folder() / "displacement_srf.csv",
-                {"SRF [-]", "crest_displacement [m]", "crest_speed [m/s]"});
-  for (const Response& response : curve) {
-    table << response.reduction << response.displacement << response.speed;
-    table.end_row();
-  }
+  run.add(
+      within("crest displacement at SRF 1.0", criterion.elastic, "m", 0.0, 0.0, 0.01, standing));
+  run.add(
+      within("crest beyond elastic response at SRF 1.2", at(1.2), "m", 0.0, -0.01, 0.01, standing));
+  run.add(within("crest beyond elastic response at SRF 1.6", at(1.6), "m", {}, criterion.limit,
+                 slope_height,
+                 fmt::format("fails: over 1 % of the height within {:.1f} s",
+                             criterion.ramp + criterion.window)));
+  judge_factor(run, "FOS by the displacement of the crest", found.bracket, bishop.factor_of_safety,
+               "Bishop, own");
+  write_trials(run.folder() / "displacement_srf.csv", found);
 }
 
 void judge_band(CaseRun& run, const Simulation& fallen, const BishopResult& bishop) {
@@ -237,7 +177,7 @@ void slope_2d(CaseRun& run) {
   const Scene scene = run.scene({0.5, 0.25, 0.125});
   const Slope slope = slope_of(scene);
   const BishopResult bishop = bishop_search(slope, 100);
-  write_bishop(run, slope, bishop);
+  write_bishop(run.folder() / "bishop.json", slope, bishop);
   // 1.377: the same slope by an independent program; Griffiths and Lane's example 2 is its double.
   run.add(within("FOS by Bishop", bishop.factor_of_safety, "", 1.377, 1.370, 1.384,
                  "1.377, independent search; published 1.37 to 1.40"));

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// `scarp fos`: settles a scene once, cuts its strength by different factors, shows how it fails.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/fos_output.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/errors.hpp"
+#include "engine/fos/failure_run.hpp"
+#include "engine/output/text_file.hpp"
+#include "engine/scene/nearest_name.hpp"
+#include "engine/scene/warnings.hpp"
+
+namespace scarp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+double positive_option(const std::string& option, const std::string& text, const char* bare_unit,
+                       kernels::Unit unit) {
+  if (text.empty()) return 0.0;
+  const double value = option_value(option, text, bare_unit, unit);
+  if (!(value > 0.0)) {
+    throw UsageError(
+        fmt::format("{}: '{}' is not above 0. Try \"10 {}\".", option, text, bare_unit));
+  }
+  return value;
+}
+
+CriterionOptions criterion_options(const FosArguments& arguments, const Scene& scene) {
+  CriterionOptions options;
+  options.height = positive_option("--height", arguments.height, "m", kernels::Unit::length);
+  options.window = positive_option("--window", arguments.window, "s", kernels::Unit::time);
+  if (!arguments.ramp.empty()) {
+    options.ramp = option_value("--ramp", arguments.ramp, "s", kernels::Unit::time);
+    if (!(options.ramp >= 0.0)) throw UsageError("--ramp: it is below 0. Try \"0 s\": at once.");
+  }
+  options.probe = arguments.probe;
+  std::vector<std::string> names;
+  for (const Probe& probe : scene.probes) names.push_back(probe.name);
+  if (!options.probe.empty() &&
+      std::find(names.begin(), names.end(), options.probe) == names.end()) {
+    throw UsageError(fmt::format("--probe: the scene has no probe '{}'. {}", options.probe,
+                                 did_you_mean(options.probe, names)));
+  }
+  return options;
+}
+
+SearchOptions search_options(const FosArguments& arguments) {
+  if (arguments.to && !(*arguments.to > arguments.from)) {
+    throw UsageError(fmt::format("--to: {:g} is not above --from {:g}. Try a larger one.",
+                                 *arguments.to, arguments.from));
+  }
+  return {arguments.from, arguments.to, arguments.tolerance};
+}
+
+/// A progress bar for each trial, begun at its first step.
+class TrialProgress {
+ public:
+  explicit TrialProgress(bool quiet) : quiet_(quiet) {}
+  bool operator()(const Simulation& now) {
+    if (!bar_) bar_.emplace(total_duration(now.scene()), quiet_);
+    bar_->update(now);
+    return !stop_requested();
+  }
+  void end() {
+    if (bar_) bar_->end();
+    bar_.reset();
+  }
+
+ private:
+  bool quiet_;
+  std::optional<Progress> bar_;
+};
+
+void write_outputs(const FosReport& report, const Simulation& settled, const fs::path& folder,
+                   const FosArguments& arguments) {
+  const std::string json = fos_json(report, settled);
+  replace_file(folder / "fos.json", json);
+  if (arguments.scene.json != "-") fmt::print("{}", fos_text(report, settled));
+  if (!arguments.scene.json.empty()) write_text(arguments.scene.json, json);
+  std::fflush(stdout);
+}
+
+fs::path made_folder(const FosArguments& arguments, const Scene& scene) {
+  const fs::path folder = arguments.folder.empty()
+                              ? fs::path("out") / (fs::path(scene.file).stem().string() + "_fos")
+                              : fs::path(arguments.folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
+                                folder.string(), error.message()));
+  }
+  return folder;
+}
+
+/// Settles, with its cost.
+bool settle(Simulation& simulation, FosReport& report, TrialProgress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const bool settled = scarp::settle(simulation, std::ref(progress));
+  progress.end();
+  report.settle_wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.settle_time = simulation.last_step().time;
+  report.settled_at_rest = simulation.stage_reached_rest();
+  return settled;
+}
+
+}  // namespace
+
+int fos_command(const FosArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  check_reducible(scene);
+  const SearchOptions search = search_options(arguments);
+  FosReport report;
+  report.criterion = choose_criterion(scene, criterion_options(arguments, scene));
+  for (const std::string& warning : warnings(scene)) fmt::print(stderr, "warning: {}\n", warning);
+  const fs::path folder = made_folder(arguments, scene);
+  Simulation simulation(scene, arguments.scene.options);
+  if (!arguments.quiet) {
+    fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
+               scene.title.empty() ? arguments.scene.file : scene.title, simulation.soil_count(),
+               simulation.wall_count(), simulation.isa(), simulation.threads(), folder.string());
+  }
+  catch_interrupts();
+  TrialProgress progress(arguments.quiet);
+  if (!settle(simulation, report, progress)) return interrupted;
+  StrengthReduction slope(std::move(simulation), report.criterion);
+  CsvFile table(folder / "fos.csv", trial_titles());
+  const auto done = [&](const FactorOfSafety& found, const Trial& trial) {
+    progress.end();
+    report.found = found;
+    report.criterion = slope.criterion();
+    if (found.trials.empty()) return;  // the elastic response
+    for (const double cell : trial_cells(trial)) table << cell;
+    table.end_row();
+    if (!arguments.quiet) fmt::print(stderr, "{}\n", trial_sentence(trial, found.bracket));
+  };
+  try {
+    report.found = find_factor(slope, search, std::ref(progress), done);
+    progress.end();
+    if (stop_requested()) report.failure = "stopped on request";
+    if (report.failure.empty() && report.found.bracket.fails) {
+      run_failure(slope, *report.found.bracket.fails, folder / "failure", std::ref(progress));
+      progress.end();
+    }
+  } catch (const SimulationInstability& instability) {  // what is known stays
+    progress.end();
+    report.failure = instability.what();
+    write_outputs(report, slope.settled(), folder, arguments);
+    throw;
+  }
+  write_outputs(report, slope.settled(), folder, arguments);
+  if (stop_requested()) return interrupted;
+  try {  // without Python the numbers are there all the same
+    report_command(folder.string(), arguments.scene.json == "-");
+  } catch (const FileError& error) {
+    fmt::print(stderr, "no report: {}\n", error.what());
+  }
+  return report.found.bracket.complete ? ok : failed;
+}
+
+}  // namespace scarp::cli

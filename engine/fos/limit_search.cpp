@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Bracketing and bisection.
+
+#include "engine/fos/limit_search.hpp"
+
+#include <algorithm>
+
+namespace scarp {
+namespace {
+
+constexpr double outward = 1.5;
+
+}  // namespace
+
+std::optional<double> Bracket::factor() const {
+  if (!stands || !fails) return {};
+  return 0.5 * (*stands + *fails);
+}
+
+Bracket find_limit(const SearchOptions& options,
+                   const std::function<std::optional<bool>(double)>& fails) {
+  Bracket bracket;
+  double next = options.from;
+  while (true) {
+    const std::optional<bool> failed = fails(next);
+    if (!failed) return bracket;
+    (*failed ? bracket.fails : bracket.stands) = next;
+    if (bracket.stands && bracket.fails) {
+      const double width = *bracket.fails - *bracket.stands;
+      bracket.complete = width <= options.tolerance * *bracket.factor();
+      if (bracket.complete) return bracket;
+      next = *bracket.factor();
+    } else if (bracket.stands) {
+      if (next >= most_reduction) return bracket;
+      const bool has_end = options.to && *options.to > next;
+      next = std::min(has_end ? *options.to : outward * next, most_reduction);
+    } else {
+      if (next <= least_reduction) return bracket;
+      next = std::max(next / outward, least_reduction);
+    }
+  }
+}
+
+}  // namespace scarp

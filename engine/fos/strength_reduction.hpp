@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The factor of safety of a scene: one settled state, its strength cut by different factors.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/fos/limit_search.hpp"
+#include "engine/simulation.hpp"
+
+namespace scarp {
+
+/// What a caller may set; 0 and empty text: chosen from the scene.
+struct CriterionOptions {
+  double height = 0.0;     ///< of the slope [m]; 0: from the lowest to the highest ground
+  double ramp = -1.0;      ///< time that the cut takes [s]; 0: at once; negative: 1.4 free falls
+  double window = 0.0;     ///< [s]; 0: five free falls over the height
+  std::string probe;       ///< whose displacement is judged; empty: the scene's first probe
+  bool early_stop = true;  ///< false: a trial that stands runs to the end of the window
+};
+
+/// When a slope counts as failed: until `window` after the reduction the displacement exceeds
+/// `elastic` + `limit`.
+struct Criterion {
+  double height = 0.0;               ///< of the slope [m]
+  double limit = 0.0;                ///< 1 % of the height [m]
+  double ramp = 0.0;                 ///< time that the cut takes [s]
+  double window = 0.0;               ///< after it [s]
+  double span = 0.0;                 ///< over which a rate is measured [s]
+  double elastic = 0.0;              ///< displacement with nothing reduced [m]
+  std::optional<std::size_t> probe;  ///< index; empty: the largest displacement of the soil
+  bool early_stop = true;
+};
+
+/// Height, window and probe for a scene. Errors: SceneError that says what to change.
+Criterion choose_criterion(const Scene& scene, const CriterionOptions& options);
+
+/// Checks that a scene is one settled state and one stage to cut the strength in. Errors:
+/// SceneError that says what to change.
+void check_reducible(const Scene& scene);
+
+enum class TrialEnd { limit_crossed, came_to_rest, window_over };
+
+/// What one factor did to the slope.
+struct Trial {
+  double reduction = 1.0;
+  bool fails = false;
+  TrialEnd end = TrialEnd::window_over;
+  double displacement = 0.0;  ///< largest within the run, since the settled state [m]
+  double speed = 0.0;         ///< of the same point at the end of the run [m/s]
+  double time = 0.0;          ///< simulated after the reduction [s]
+  std::uint64_t steps = 0;
+  double wall_s = 0.0;
+};
+
+/// Called after each step; false asks to stop.
+using Proceed = std::function<bool(const Simulation&)>;
+
+/// Runs a scene through all its stages but the last. False: it was asked to stop. Errors: those of
+/// `Simulation::step()`.
+bool settle(Simulation& simulation, const Proceed& proceed);
+
+/// A settled state and the criterion that its reductions are judged by.
+class StrengthReduction {
+ public:
+  /// `settled`: after `settle`.
+  StrengthReduction(Simulation settled, Criterion criterion);
+
+  /// The response with the strength it settled with: what moves then is no failure, and counts as
+  /// the elastic response from here on. Empty: asked to stop. Errors: SceneError if even this
+  /// fails; SimulationInstability.
+  std::optional<Trial> measure_elastic(const Proceed& proceed);
+
+  /// The response to one factor, from a copy of the settled state. Empty: asked to stop. Errors:
+  /// SimulationInstability.
+  std::optional<Trial> respond(double reduction, const Proceed& proceed) const;
+
+  /// A copy of the settled state with the strength cut by `reduction` for `duration` [s].
+  Simulation reduced(double reduction, double duration) const;
+
+  /// Displacement of the judged point since the settled state [m].
+  double displacement(const Simulation& simulation) const;
+
+  const Simulation& settled() const { return settled_; }
+  const Criterion& criterion() const { return criterion_; }
+
+ private:
+  /// Factors on the strength, as a stage has them.
+  struct StageStrength {
+    double all = 1.0;
+    std::map<std::string, double> materials;
+  };
+  Simulation with_strength(const StageStrength& end, double duration) const;
+  std::optional<Trial> run(Simulation simulation, double reduction, const Proceed& proceed) const;
+  double largest_displacement(const Simulation& simulation, std::size_t* where = nullptr) const;
+  double speed(const Simulation& simulation) const;
+
+  Simulation settled_;
+  Criterion criterion_;
+  std::vector<double> position_;  ///< of the settled state
+  std::optional<Trial> elastic_;
+};
+
+/// The settled state's own factor, if one holds for all materials.
+std::optional<double> settled_reduction(const Scene& scene);
+
+/// All trials of a search and what came out.
+struct FactorOfSafety {
+  Trial elastic;
+  std::vector<Trial> trials;  ///< in the order of the search
+  Bracket bracket;
+};
+
+/// The elastic response, then the search. `done` is called after each trial; `proceed` may be
+/// empty. Errors: those of `measure_elastic` and `respond`.
+FactorOfSafety find_factor(
+    StrengthReduction& slope, const SearchOptions& search, const Proceed& proceed,
+    const std::function<void(const FactorOfSafety&, const Trial&)>& done = {});
+
+}  // namespace scarp

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Criterion, checks and trials of a factor of safety, on a coarse slope.
+#include "engine/fos/strength_reduction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/errors.hpp"
+#include "engine/fos/slope_height.hpp"
+#include "tests/support/small_scenes.hpp"
+
+namespace scarp {
+namespace {
+
+/// Ten spacings high; settles until rest.
+Scene coarse_slope() {
+  Scene scene = test::small_slope("modern", 4.0, 4.0, 1.4);
+  Stage& settle = scene.stages.front();
+  settle.until = StageEnd::rest;
+  settle.damping = -1.0;
+  return scene;
+}
+
+StrengthReduction settled_slope(const Scene& scene, const CriterionOptions& options = {}) {
+  Simulation simulation(scene);
+  EXPECT_TRUE(settle(simulation, {}));
+  return {std::move(simulation), choose_criterion(scene, options)};
+}
+
+/// The message of the error, which must come.
+template <class Action>
+std::string message_of(Action&& action) {
+  try {
+    action();
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "no SceneError";
+  return {};
+}
+
+TEST(SlopeHeight, IsThatOfTheGround) {
+  Scene scene = coarse_slope();
+  EXPECT_NEAR(slope_height(scene), 10.0, 1e-6);
+  // A bench on top is ground; a body under it is not.
+  scene.bodies.push_back({0, Box{{0, 15, 0}, {4, 17, 0}}, {}});
+  scene.bodies.push_back({0, Box{{0, 0, 0}, {20, 1, 0}}, {}});
+  EXPECT_NEAR(slope_height(scene), 12.0, 1e-6);
+}
+
+TEST(SlopeHeight, OfAHeightFieldIn3D) {
+  Scene scene;
+  scene.dimension = 3;
+  scene.gravity = {0, 0, -9.81};
+  scene.spacing = 1.0;
+  HeightField field;
+  field.plan_maximum = {40.0, 12.0};
+  field.profile = {{{12.0, 16.0}, {24.0, 4.0}}};
+  scene.bodies = {{0, field, {}}};
+  EXPECT_NEAR(slope_height(scene), 12.0, 1e-6);
+}
+
+TEST(SlopeHeight, NeedsGravityStraightDown) {
+  Scene scene = coarse_slope();
+  scene.gravity = {1.0, -9.7, 0.0};
+  EXPECT_NE(message_of([&] { slope_height(scene); }).find("--height"), std::string::npos);
+}
+
+TEST(CriterionTest, FollowsHeightAndGravity) {
+  const Scene scene = coarse_slope();
+  const double free_fall = std::sqrt(2.0 * 10.0 / 9.81);
+  const Criterion own = choose_criterion(scene, {});
+  EXPECT_NEAR(own.limit, 0.1, 1e-8);
+  EXPECT_NEAR(own.window, 5.0 * free_fall, 1e-6);
+  EXPECT_NEAR(own.ramp, 1.4 * free_fall, 1e-6);
+  EXPECT_EQ(own.probe, std::size_t{0});
+  CriterionOptions options;
+  options.height = 20.0;
+  options.window = 3.0;
+  options.ramp = 0.0;
+  const Criterion given = choose_criterion(scene, options);
+  EXPECT_EQ(given.limit, 0.2);
+  EXPECT_EQ(given.window, 3.0);
+  EXPECT_EQ(given.ramp, 0.0);
+}
+
+TEST(CriterionTest, SaysWhatASceneLacks) {
+  Scene level = coarse_slope();
+  level.bodies = {{0, Box{{0, 0, 0}, {45, 5, 0}}, {}}};
+  EXPECT_NE(message_of([&] { choose_criterion(level, {}); }).find("level"), std::string::npos);
+  CriterionOptions options;
+  options.probe = "crset";
+  EXPECT_NE(message_of([&] { choose_criterion(coarse_slope(), options); }).find("'crest'"),
+            std::string::npos);
+}
+
+TEST(Reducible, NeedsASettledStateAndALastStageThatOnlyCuts) {
+  EXPECT_NO_THROW(check_reducible(coarse_slope()));
+  Scene one = coarse_slope();
+  one.stages.erase(one.stages.begin());
+  EXPECT_NE(message_of([&] { check_reducible(one); }).find("settle"), std::string::npos);
+  Scene unsettled = coarse_slope();
+  unsettled.stages.front().until = StageEnd::duration;
+  EXPECT_NE(message_of([&] { check_reducible(unsettled); }).find("until = \"rest\""),
+            std::string::npos);
+  Scene opened = coarse_slope();
+  opened.walls.back().removed_at = "fail";
+  EXPECT_NE(message_of([&] { check_reducible(opened); }).find("'right'"), std::string::npos);
+  Scene elastic = coarse_slope();
+  elastic.materials = {test::elastic()};
+  EXPECT_NE(message_of([&] { check_reducible(elastic); }).find("yield"), std::string::npos);
+}
+
+TEST(StrengthReductionTest, FindsTheFactorOfACoarseSlope) {
+  StrengthReduction slope = settled_slope(coarse_slope());
+  const FactorOfSafety found = find_factor(slope, {1.2, 1.6, 0.05}, {});
+  ASSERT_TRUE(found.bracket.complete);
+  // Bishop: 1.377. Ten spacings in the height are good for no better than ten per cent.
+  EXPECT_NEAR(*found.bracket.factor(), 1.377, 0.1377);
+  EXPECT_LT(slope.criterion().elastic, 0.01 * slope.criterion().limit);
+  for (const Trial& trial : found.trials) {
+    EXPECT_EQ(trial.fails,
+              trial.displacement > slope.criterion().elastic + slope.criterion().limit);
+    EXPECT_EQ(trial.fails, trial.end == TrialEnd::limit_crossed);
+    EXPECT_LE(trial.time, (slope.criterion().ramp + slope.criterion().window) * (1.0 + 1e-9));
+  }
+  // What was taken to stand early stands to the end of the window as well.
+  Criterion whole = slope.criterion();
+  whole.early_stop = false;
+  const StrengthReduction same(slope.settled().clone(), whole);
+  const std::optional<Trial> longer = same.respond(*found.bracket.stands, {});
+  EXPECT_FALSE(longer->fails);
+  EXPECT_EQ(longer->end, TrialEnd::window_over);
+  // Without a probe the soil that moves most is judged: it moves no less.
+  Scene bare = coarse_slope();
+  bare.probes.clear();
+  StrengthReduction blind = settled_slope(bare);
+  blind.measure_elastic({});
+  EXPECT_FALSE(blind.criterion().probe);
+  EXPECT_TRUE(blind.respond(*found.bracket.fails, {})->fails);
+  EXPECT_FALSE(blind.respond(1.1, {})->fails);
+}
+
+TEST(StrengthReductionTest, CutsOnlyTheMaterialsThatTheLastStageNames) {
+  Scene scene = coarse_slope();
+  scene.materials.push_back(scene.materials.front());
+  scene.materials.back().name = "rock";
+  scene.stages.back().material_strength_reduction = {{"clay", 1.0}};
+  scene.stages.back().strength_reduction = 0.9;
+  const StrengthReduction slope = settled_slope(scene);
+  const Scene cut = slope.reduced(2.0, 1.0).scene();
+  const Stage& last = cut.stages.back();
+  EXPECT_EQ(last.strength_reduction, 0.9);
+  EXPECT_EQ(last.material_strength_reduction.at("clay"), 2.0);
+  // The ramp leads from the settled strength there in equal ratios.
+  const Stage& first = cut.stages.at(1);
+  EXPECT_NEAR(first.material_strength_reduction.at("clay"), std::pow(2.0, 0.1), 1e-12);
+  EXPECT_NEAR(first.strength_reduction, std::pow(0.9, 0.1), 1e-12);
+  EXPECT_EQ(cut.stages.size(), 1U + 10U);
+}
+
+TEST(StrengthReductionTest, ASlopeThatFailsUnreducedIsRefused) {
+  Scene weak = coarse_slope();
+  weak.materials.front().parameters[2] = 1e3;
+  weak.materials.front().parameters[3] = 0.1;
+  weak.materials.front().parameters[4] = 0.0;
+  weak.stages.front().duration = 0.1;
+  StrengthReduction slope = settled_slope(weak);
+  EXPECT_NE(message_of([&] { slope.measure_elastic({}); }).find("strength_reduction below 1"),
+            std::string::npos);
+}
+
+TEST(StrengthReductionTest, StopsWhenAsked) {
+  Simulation simulation(coarse_slope());
+  EXPECT_FALSE(settle(simulation, [](const Simulation&) { return false; }));
+  StrengthReduction slope = settled_slope(coarse_slope());
+  int left = 2;  // the elastic response and one trial
+  bool stop = false;
+  const FactorOfSafety found = find_factor(
+      slope, {1.2, 1.6, 0.01}, [&](const Simulation&) { return !stop; },
+      [&](const FactorOfSafety&, const Trial&) { stop = --left == 0; });
+  EXPECT_EQ(found.trials.size(), 1U);
+  EXPECT_FALSE(found.bracket.complete);
+  EXPECT_EQ(found.bracket.stands, 1.2);
+}
+
+}  // namespace
+}  // namespace scarp

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Surface, front and distances of deposits of known shape.
+#include "validation/deposit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/errors.hpp"
+
+namespace scarp::validation {
+namespace {
+
+constexpr double dx = 0.1;
+
+/// x of a lattice of columns, `rows[k]` particles in the k-th.
+std::vector<double> lattice(const std::vector<int>& rows) {
+  std::vector<double> x;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    x.insert(x.end(), static_cast<std::size_t>(rows[k]), (static_cast<double>(k) + 0.5) * dx);
+  }
+  return x;
+}
+
+TEST(DepositTest, ColumnsOfABlockHaveItsHeight) {
+  const Profile profile = column_profile(lattice({5, 5, 5, 5}), dx, 2 * dx);
+  EXPECT_NEAR(height_at(profile, 0.0), 5 * dx, 1e-12);
+  EXPECT_NEAR(height_at(profile, 0.1), 5 * dx, 1e-12);
+  EXPECT_NEAR(height_at(profile, 0.3), 5 * dx, 1e-12);
+  EXPECT_EQ(height_at(profile, 0.55), 0.0);
+}
+
+TEST(DepositTest, ColumnsKeepTheAreaOfAnyParticles) {
+  std::vector<double> x{0.01, 0.013};  // reach over the mirror at 0
+  for (int i = 0; i < 500; ++i) x.push_back(std::pow(0.5 + 0.5 * std::sin(1.7 * i), 2));
+  const Profile profile = column_profile(x, dx, 0.17);
+  EXPECT_NEAR(area_between(profile, {}), static_cast<double>(x.size()) * dx * dx, 1e-10);
+}
+
+TEST(DepositTest, AParticleOverAnEdgeIsSharedByItsColumns) {
+  const Profile profile = column_profile({0.18}, dx, 0.2);  // 0.13 to 0.23: 70 % and 30 %
+  EXPECT_NEAR(height_at(profile, 0.1), 0.7 * dx * dx / 0.2, 1e-12);
+  EXPECT_NEAR(height_at(profile, 0.3), 0.3 * dx * dx / 0.2, 1e-12);
+}
+
+TEST(DepositTest, AreaBetweenCrossingLinesCountsBothSides) {
+  const Profile level{{0.0, 2.0}, {1.0, 1.0}}, falling{{0.0, 2.0}, {2.0, 0.0}};
+  EXPECT_NEAR(area_between(level, falling), 1.0, 1e-12);  // two triangles of 1/2
+  EXPECT_NEAR(area_between(falling, level), 1.0, 1e-12);
+  EXPECT_EQ(area_between(level, level), 0.0);
+}
+
+TEST(DepositTest, AreaBeyondTheEndOfOneProfileCounts) {
+  const Profile shorter{{0.5, 1.0}, {1.0, 1.0}}, longer{{0.0, 3.0}, {1.0, 1.0}};
+  EXPECT_NEAR(area_between(shorter, longer), 2.0, 1e-12);
+}
+
+TEST(DepositTest, DistanceIsPerpendicular) {
+  const Profile slope{{0.0, 4.0}, {3.0, 0.0}};
+  EXPECT_NEAR(mean_distance({{0.0, 4.0}, {0.0, 3.0}}, slope), 12.0 / 5.0, 1e-12);
+  EXPECT_TRUE(std::isnan(mean_distance({}, slope)));
+}
+
+TEST(DepositTest, QuantileLeavesOutTheFarthestGrains) {
+  std::vector<double> x;
+  for (int i = 1000; i >= 0; --i) x.push_back(i);
+  x.back() = 1e6;
+  EXPECT_EQ(quantile(x, 0.995), 996.0);
+  EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
+}
+
+TEST(DepositTest, MainBodyLeavesOutLooseGrains) {
+  std::vector<double> position;
+  const auto put = [&](double x, double y) {
+    for (const double value : {x, y, 0.0}) position.push_back(value);
+  };
+  put(5.0, 0.0);                                   // 0: loose, between
+  for (int i = 0; i < 4; ++i) put(0.14 * i, 0.0);  // 1 to 4: a chain
+  put(0.42 + 0.16, 0.0);                           // 5: just too far
+  put(-0.1, -0.1);                                 // 6: across the cells' corner
+  std::vector<std::size_t> body = main_body(position, 0.15);
+  std::sort(body.begin(), body.end());
+  const std::vector<std::size_t> expected{1, 2, 3, 4, 6};
+  EXPECT_EQ(body, expected);
+}
+
+TEST(DepositTest, SoilBehindAWallIsLost) {
+  const std::vector<double> position{1, 1, -9, 1, -0.9, -9, 1, -1.1, -9, -1.1, 1, -9};
+  EXPECT_EQ(share_through_walls(position, 2, 1.0), 0.5);  // z does not matter in 2D
+  EXPECT_EQ(share_through_walls(position, 3, 1.0), 1.0);
+}
+
+TEST(DepositTest, ProfilesSurviveTheirFile) {
+  const auto path = std::filesystem::temp_directory_path() / "scarp_deposit_test.csv";
+  const Profile written{{0.0, 0.25, 1.0}, {0.5, 0.125, 0.0}};
+  write_profile(path, written);
+  const Profile read = read_profile(path);
+  EXPECT_EQ(read.x, written.x);
+  EXPECT_EQ(read.height, written.height);
+  std::ofstream(path) << "x,y\n1,2\nthree,4\n";
+  EXPECT_THROW(read_profile(path), FileError);
+  std::filesystem::remove(path);
+  EXPECT_THROW(read_profile(path), FileError);
+}
+
+}  // namespace
+}  // namespace scarp::validation

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Axes, their choices, and the names of settings.
+
+#include "validation/error_time/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/errors.hpp"
+#include "engine/scene/nearest_name.hpp"
+
+namespace scarp::validation {
+namespace {
+
+template <SmoothingFunction function, int percent>
+void smooth(Numerics& numerics) {
+  numerics.smoothing = function;
+  numerics.smoothing_ratio = percent / 100.0;
+}
+
+template <Integrator integrator, int percent>
+void integrate(Numerics& numerics) {
+  numerics.integrator = integrator;
+  numerics.cfl = percent / 100.0;
+}
+
+template <int percent>
+void diffuse(Numerics& numerics) {
+  numerics.stress_diffusion = percent / 100.0;
+}
+
+}  // namespace
+
+const std::vector<Axis>& numerics_axes() {
+  using enum SmoothingFunction;
+  using enum Integrator;
+  static const std::vector<Axis> axes{
+      {"smoothing",
+       {{"yang_liu h/dx 1.2", smooth<yang_liu, 120>},
+        {"wendland_c2 h/dx 1.2", smooth<wendland_c2, 120>},
+        {"wendland_c2 h/dx 1.5", smooth<wendland_c2, 150>},
+        {"cubic_spline h/dx 1.2", smooth<cubic_spline, 120>}}},
+      {"integrator",
+       {{"verlet CFL 0.2", integrate<verlet, 20>},
+        {"verlet CFL 0.3", integrate<verlet, 30>},
+        {"verlet CFL 0.6", integrate<verlet, 60>},
+        {"kick_drift_kick CFL 0.4", integrate<kick_drift_kick, 40>},
+        {"kick_drift_kick CFL 0.8", integrate<kick_drift_kick, 80>},
+        {"kick_drift_kick CFL 1", integrate<kick_drift_kick, 100>},
+        {"kick_drift_kick CFL 1.2", integrate<kick_drift_kick, 120>}}},
+      {"stress_diffusion",
+       {{"stress_diffusion 0", diffuse<0>}, {"stress_diffusion 0.1", diffuse<10>}}},
+      {"precision", {{"double", [](Numerics&) {}}}},
+  };
+  return axes;
+}
+
+std::vector<std::string> axis_names() {
+  std::vector<std::string> names{"spacing", "preset"};
+  for (const Axis& axis : numerics_axes()) names.emplace_back(axis.name);
+  return names;
+}
+
+std::vector<std::string> parse_axes(const std::vector<std::string>& given) {
+  const std::vector<std::string> all = axis_names();
+  if (given.empty()) return all;
+  std::vector<std::string> chosen;
+  for (const std::string& list : given) {
+    for (std::size_t start = 0; start <= list.size();) {
+      const std::size_t end = std::min(list.find(',', start), list.size());
+      const std::string name = list.substr(start, end - start);
+      start = end + 1;
+      if (std::find(all.begin(), all.end(), name) == all.end()) {
+        throw Error(fmt::format("--axis '{}': there is no such axis. {}", name,
+                                name.empty()
+                                    ? "Try one of " + fmt::format("{}.", fmt::join(all, ", "))
+                                    : did_you_mean(name, all)));
+      }
+      if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
+    }
+  }
+  return chosen;
+}
+
+std::string name_of(const Setting& setting) {
+  std::vector<std::string_view> changes;
+  for (const auto& [axis, choice] : setting.changes) {
+    changes.push_back(numerics_axes().at(axis).choices.at(choice).name);
+  }
+  return setting.preset + (changes.empty() ? "" : " with ") +
+         fmt::format("{}", fmt::join(changes, " and "));
+}
+
+Numerics numerics_of(const Setting& setting, Numerics of_preset) {
+  for (const auto& [axis, choice] : setting.changes) {
+    numerics_axes().at(axis).choices.at(choice).apply(of_preset);
+  }
+  return of_preset;
+}
+
+std::string numerics_text(const Numerics& numerics) {
+  // A row added to the numerics must be added here: the binding then does not compile.
+  const auto& [preset, smoothing, ratio, normalisation, correction, rotation, plasticity, alpha,
+               beta, artificial, exponent, diffusion, gate, integrator, restart, cfl, limiter, skin,
+               lowest, highest] = numerics;
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", preset,
+                     static_cast<int>(smoothing), ratio, normalisation, correction,
+                     static_cast<int>(rotation), static_cast<int>(plasticity), alpha, beta,
+                     artificial, exponent, diffusion, gate, static_cast<int>(integrator), restart,
+                     cfl, limiter, skin, lowest, highest);
+}
+
+}  // namespace scarp::validation

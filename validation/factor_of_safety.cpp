@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Factors of safety as measures, tables and costs.
+
+#include "validation/factor_of_safety.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "engine/cli/progress.hpp"
+#include "engine/output/text_file.hpp"
+#include "kernels/constitutive/drucker_prager.hpp"
+
+namespace scarp::validation {
+
+using kernels::DruckerPrager;
+
+Slope slope_of(const Scene& scene) {
+  const auto& outline = std::get<Polygon>(scene.bodies.front().shape).points;
+  const auto& p = scene.materials.front().parameters;
+  Slope slope;
+  slope.base = outline.front()[1];
+  slope.surface.assign(outline.rbegin(), outline.rend() - 1);
+  // A right side of some height is a wall, not ground.
+  if (outline[2][0] == outline[1][0]) slope.surface.pop_back();
+  slope.unit_weight = scene.materials.front().density * -scene.gravity[1];
+  slope.cohesion = p[DruckerPrager::cohesion];
+  slope.friction_angle = p[DruckerPrager::friction_angle];
+  return slope;
+}
+
+void write_bishop(const std::filesystem::path& path, const Slope& slope,
+                  const BishopResult& bishop) {
+  nlohmann::ordered_json json{
+      {"method", "Bishop's simplified method, dry"},
+      {"factor_of_safety", bishop.factor_of_safety},
+      {"circle",
+       {{"x", bishop.circle.x}, {"y", bishop.circle.y}, {"radius", bishop.circle.radius}}},
+      {"entry", bishop.entry},
+      {"exit", bishop.exit},
+      {"surface", slope.surface},
+      {"base", slope.base}};
+  replace_file(path, json.dump(2) + "\n");
+}
+
+FactorOfSafety search_factor(CaseRun& run, const std::string& name, StrengthReduction& slope,
+                             const SearchOptions& search) {
+  const std::string prefix = name.empty() ? "" : name + ", ";
+  std::optional<cli::Progress> progress;
+  const auto proceed = [&](const Simulation& now) {
+    if (!progress) {
+      progress.emplace(cli::total_duration(now.scene()), run.options().quiet);
+      if (!run.options().quiet) {
+        fmt::print(stderr, "{}: {}SRF {:.4g}, {} particles\n", run.result().case_name, prefix,
+                   now.scene().stages.back().strength_reduction, now.soil_count());
+      }
+    }
+    progress->update(now);
+    return true;
+  };
+  return find_factor(slope, search, proceed, [&](const FactorOfSafety&, const Trial& trial) {
+    if (progress) progress->end();
+    progress.reset();
+    run.add(RunCost{
+        fmt::format("{}SRF {:.4g}", prefix, trial.reduction), trial.steps,
+        static_cast<double>(trial.steps) * static_cast<double>(slope.settled().soil_count()),
+        trial.time, trial.wall_s});
+  });
+}
+
+void judge_factor(CaseRun& run, const std::string& name, const Bracket& bracket, double reference,
+                  const std::string& source) {
+  const double factor = bracket.complete ? *bracket.factor() : std::nan("");
+  const std::string between =
+      fmt::format("{}; lies in [{:.4g}, {:.4g}]", source, bracket.stands.value_or(std::nan("")),
+                  bracket.fails.value_or(std::nan("")));
+  run.add(within(name, factor, "", reference, 0.96 * reference, 1.04 * reference, between));
+}
+
+void write_trials(const std::filesystem::path& path, const FactorOfSafety& found) {
+  std::vector<Trial> trials = found.trials;
+  std::sort(trials.begin(), trials.end(),
+            [](const Trial& a, const Trial& b) { return a.reduction < b.reduction; });
+  CsvFile table(path,
+                {"SRF [-]", "fails", "crest_displacement [m]", "crest_speed [m/s]", "time [s]"});
+  for (const Trial& trial : trials) {
+    table << trial.reduction << (trial.fails ? 1.0 : 0.0) << trial.displacement << trial.speed
+          << trial.time;
+    table.end_row();
+  }
+}
+
+}  // namespace scarp::validation

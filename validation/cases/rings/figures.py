@@ -14,12 +14,14 @@ def draw(page, folder, figures):
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6))
     for ax, (table, title) in zip(axes, tables):
         columns = table[0]
-        points = ax.scatter(1e3 * columns["x"], 1e3 * columns["y"], c=1e-6 * columns["mean stress"], s=1.0,
+        left = columns["x"] < 0.0
+        x, y, stress = (columns[name][left] for name in ("x", "y", "mean stress"))
+        points = ax.scatter(1e3 * x, 1e3 * y, c=1e-6 * stress, s=1.5,
                             cmap="coolwarm", vmin=-0.5, vmax=0.5, linewidths=0)
         ax.set_aspect("equal")
         ax.set_title(title, fontsize=9)
         ax.set_xlabel("x [mm]")
     axes[0].set_ylabel("y [mm]")
     figure.colorbar(points, ax=list(axes), label="mean stress [MPa]", shrink=0.7)
-    page.figure(figure, "Finest spacing that was run. Left: when fracture was certain and the run was ended; right: "
-                "after the bounce. Tension is red; the numbers are normalised.", figures / "rings.png")
+    page.figure(figure, "The left ring at the finest spacing that was run: when fracture was certain and the run was "
+                "ended, and after the bounce. Tension is red; the numbers are normalised.", figures / "rings.png")

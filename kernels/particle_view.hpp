@@ -32,6 +32,9 @@ enum RecordSlot {
 };
 static_assert(record_size == 16);
 
+/// Moments with a smaller determinant are not inverted: a few stray neighbours in a line or plane.
+inline constexpr double smallest_moment_determinant = 0.1;
+
 /// Artificial stress of particle j times its density (Eq. 27), six components and two of padding.
 inline constexpr int tension_record_size = 8;
 

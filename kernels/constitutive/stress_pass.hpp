@@ -11,9 +11,6 @@
 
 namespace scarp::kernels {
 
-/// Moments with a smaller determinant are not inverted: a few stray neighbours in a line or plane.
-inline constexpr double smallest_moment_determinant = 0.1;
-
 /// L M^-1 where det M allows, else L. Equation: K1. 3D form; 2D sets the third row and column to
 /// (0, 0, 1).
 template <class T>

@@ -74,6 +74,21 @@ class ClusterSweep {
     }
   }
 
+  /// Between soil and walls: a grain that sees hardly any soil keeps the plain gradient. Corrected
+  /// by dummies alone, whose velocity jumps at the face, it would dilate as it slides, lose its
+  /// stress and sink into the wall.
+  SCARP_INLINE void judge_support() {
+    if constexpr (Traits::correction) {
+      B moment[dim * (dim + 1) / 2];
+      for (int k = 0; k < dim * (dim + 1) / 2; ++k) {
+        moment[k] = -fold(moment_.minus_moment[k]) * B(Real(view_.smoothing_length));
+      }
+      moment_.supported = xsimd::select(
+          GradientMoment<B, dim>::determinant(moment) >= B(Real(smallest_moment_determinant)),
+          B(Real(1)), B(Real(0)));
+    }
+  }
+
   SCARP_INLINE void store() {
     if constexpr (Traits::gradient) {
       put(view_.density_rate, continuity_.density_rate);
@@ -87,7 +102,7 @@ class ClusterSweep {
       constexpr int component[2][6] = {{xx, xy, yy}, {xx, xy, zx, yy, yz, zz}};
       for (int k = 0; k < dim * (dim + 1) / 2; ++k) {
         put(view_.moment[component[dim - 2][k]],
-            -moment_.minus_moment[k] * B(Real(view_.smoothing_length)));
+            -moment_.minus_moment[k] * moment_.supported * B(Real(view_.smoothing_length)));
       }
       for (int c = 0; c < StressDiffusion<B, dim>::components; ++c) {
         B stress_i;
@@ -294,7 +309,10 @@ void pair_sweep(const PairSweepView<Real>& view, std::int64_t begin, std::int64_
   for (std::int64_t cluster = begin; cluster < end; ++cluster) {
     ClusterSweep<Arch, Real, Traits> sweep(view, cluster);
     sweep.template add_entries<false>(lists.soil_begin[cluster], lists.wall_begin[cluster]);
-    sweep.template add_entries<true>(lists.wall_begin[cluster], lists.end[cluster]);
+    if (lists.wall_begin[cluster] != lists.end[cluster]) {
+      sweep.judge_support();
+      sweep.template add_entries<true>(lists.wall_begin[cluster], lists.end[cluster]);
+    }
     sweep.store();
   }
 }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 
+#include "kernels/particle_view.hpp"
+
 namespace scarp::kernels {
 namespace {
 
@@ -114,6 +116,7 @@ std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
   std::vector<ReferenceRate> rates(p.soil_count);
   for (std::size_t i = 0; i < p.soil_count; ++i) {
     ReferenceRate& rate = rates[i];
+    Matrix of_soil = Matrix::Zero();
     for (std::size_t j = 0; j < p.size(); ++j) {
       const Vector distance = vector_of(p.position[i]) - vector_of(p.position[j]);
       const double r = distance.norm();
@@ -124,8 +127,13 @@ std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
       const Vector velocity = relative_velocity(p, i, j);
       add_gradients(p, s, j, velocity, distance, gradient, rate);
       add_forces(p, s, i, j, velocity, distance, gradient, rate);
-      if (!p.is_wall(j)) add_diffusion(p, s, i, j, distance, gradient, rate);
+      if (p.is_wall(j)) continue;
+      add_diffusion(p, s, i, j, distance, gradient, rate);
+      of_soil -= p.volume[j] * distance * gradient.transpose();
     }
+    if (s.dimension == 2) of_soil(2, 2) = 1.0;
+    // Dummies alone correct nothing.
+    if (of_soil.determinant() < smallest_moment_determinant) rate.moment.fill({});
   }
   return rates;
 }

@@ -31,8 +31,8 @@ constexpr std::array kick_drift_kick_phases{choose_time_step,
                                             refresh_neighbours,
                                             extrapolate_wall_stress,
                                             sweep_force,
-                                            sample_energy,
                                             kick_half,
+                                            sample_energy,
                                             end_step};
 
 std::span<const Phase> phases_of(Integrator integrator) {

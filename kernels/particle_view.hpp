@@ -33,7 +33,10 @@ enum RecordSlot {
 static_assert(record_size == 16);
 
 /// Moments with a smaller determinant are not inverted: a few stray neighbours in a line or plane.
-inline constexpr double smallest_moment_determinant = 0.1;
+/// Edges (0.15 in 2D, 0.09 in 3D) and corners (0.03) of a lattice are: they must not take rotation
+/// for strain.
+template <int Dim>
+inline constexpr double smallest_moment_determinant = Dim == 2 ? 0.1 : 0.01;
 
 /// Artificial stress of particle j times its density (Eq. 27), six components and two of padding.
 inline constexpr int tension_record_size = 8;

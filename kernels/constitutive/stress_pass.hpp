@@ -13,12 +13,12 @@ namespace scarp::kernels {
 
 /// L M^-1 where det M allows, else L. Equation: K1. 3D form; 2D sets the third row and column to
 /// (0, 0, 1).
-template <class T>
+template <int Dim, class T>
 SCARP_INLINE Tensor<T> corrected_gradient(const Tensor<T>& l, const SymTensor<T>& m) {
   const T cxx = m.yy * m.zz - m.yz * m.yz, cxy = m.zx * m.yz - m.xy * m.zz,
           czx = m.xy * m.yz - m.zx * m.yy;
   const T determinant = m.xx * cxx + m.xy * cxy + m.zx * czx;
-  const auto usable = determinant >= T(smallest_moment_determinant);
+  const auto usable = determinant >= T(smallest_moment_determinant<Dim>);
   const T inverse_determinant = T(1.0) / choose(usable, determinant, T(1.0));
   const SymTensor<T> i =
       inverse_determinant * SymTensor<T>{cxx, m.xx * m.zz - m.zx * m.zx, m.xx * m.yy - m.xy * m.xy,
@@ -135,7 +135,7 @@ struct ParticleLoads {
       m.yz = T::load_aligned(p.moment[yz] + k);
       m.zx = T::load_aligned(p.moment[zx] + k);
     }
-    return corrected_gradient(l, m);
+    return corrected_gradient<Dim>(l, m);
   }
   /// Diffusion increment with its lithostatic part: psi = sigma_i - sigma_j + rho g.x_ij T.
   /// Equation: D1.

@@ -108,7 +108,10 @@ Matrix used_gradient(const ReferencePointRates& rates, const StressPassConstants
     moment.row(2) << 0.0, 0.0, 1.0;
     moment.col(2) << 0.0, 0.0, 1.0;
   }
-  return c.gradient_correction && moment.determinant() >= 0.1 ? Matrix(l * moment.inverse()) : l;
+  const double smallest =
+      dimension == 2 ? smallest_moment_determinant<2> : smallest_moment_determinant<3>;
+  return c.gradient_correction && moment.determinant() >= smallest ? Matrix(l * moment.inverse())
+                                                                   : l;
 }
 
 /// Equation: D1; the lithostatic part removed along gravity (1) and across it (K0).

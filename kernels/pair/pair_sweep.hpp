@@ -84,7 +84,7 @@ class ClusterSweep {
         moment[k] = -fold(moment_.minus_moment[k]) * B(Real(view_.smoothing_length));
       }
       moment_.supported = xsimd::select(
-          GradientMoment<B, dim>::determinant(moment) >= B(Real(smallest_moment_determinant)),
+          GradientMoment<B, dim>::determinant(moment) >= B(Real(smallest_moment_determinant<dim>)),
           B(Real(1)), B(Real(0)));
     }
   }

@@ -133,7 +133,9 @@ std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
     }
     if (s.dimension == 2) of_soil(2, 2) = 1.0;
     // Dummies alone correct nothing.
-    if (of_soil.determinant() < smallest_moment_determinant) rate.moment.fill({});
+    const double smallest =
+        s.dimension == 2 ? smallest_moment_determinant<2> : smallest_moment_determinant<3>;
+    if (of_soil.determinant() < smallest) rate.moment.fill({});
   }
   return rates;
 }

@@ -110,7 +110,9 @@ struct GradientAndMoment {
   Tensor<double> gradient{};
   SymTensor<double> moment{0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
 
-  GradientAndMoment(SweepOutput& out, std::size_t i, int dimension) {
+  int dimension;
+
+  GradientAndMoment(SweepOutput& out, std::size_t i, int dim) : dimension(dim) {
     for (int a = 0; a < dimension; ++a) {
       for (int b = 0; b < dimension; ++b) gradient.m[a][b] = out.field(1 + 3 * a + b)[i];
     }
@@ -126,6 +128,13 @@ struct GradientAndMoment {
     const SymTensor<double>& m = moment;
     return m.xx * (m.yy * m.zz - m.yz * m.yz) - m.xy * (m.xy * m.zz - m.yz * m.zx) +
            m.zx * (m.xy * m.yz - m.yy * m.zx);
+  }
+  double smallest() const {
+    return dimension == 2 ? smallest_moment_determinant<2> : smallest_moment_determinant<3>;
+  }
+  Tensor<double> corrected() const {
+    return dimension == 2 ? corrected_gradient<2>(gradient, moment)
+                          : corrected_gradient<3>(gradient, moment);
   }
 };
 
@@ -259,8 +268,8 @@ TEST_P(PairSweepTest, LinearVelocityFieldHasItsGradientExactlyAfterCorrection) {
     int corrected = 0;
     for (std::size_t i = 0; i < p.soil_count; ++i) {
       const GradientAndMoment at(out, i, dimension_);
-      const Tensor<double> used = corrected_gradient(at.gradient, at.moment);
-      const bool usable = at.determinant() >= smallest_moment_determinant;
+      const Tensor<double> used = at.corrected();
+      const bool usable = at.determinant() >= at.smallest();
       corrected += usable;
       for (int a = 0; a < dimension_; ++a) {
         for (int b = 0; b < dimension_; ++b) {
@@ -299,8 +308,8 @@ TEST_P(PairSweepTest, RigidRotationHasNoStrainAfterCorrection) {
     double plain = 0.0;
     for (std::size_t i = 0; i < p.soil_count; ++i) {
       const GradientAndMoment at(out, i, dimension_);
-      if (at.determinant() < smallest_moment_determinant) continue;
-      const Tensor<double> used = corrected_gradient(at.gradient, at.moment);
+      if (at.determinant() < at.smallest()) continue;
+      const Tensor<double> used = at.corrected();
       const SymTensor<double> before = symmetric_part(at.gradient), strain = symmetric_part(used);
       plain = std::fmax(plain, std::sqrt(contract(before, before)));
       ASSERT_LT(std::sqrt(contract(strain, strain)), 1e-11) << table.name << " particle " << i;

@@ -181,8 +181,8 @@ double stress_scale(const StressPassConstants& c, const ReferencePoint& p,
       gradient = std::fmax(gradient, std::fabs(r.velocity_gradient[a][b]));
     }
   }
-  // A moment just above the smallest determinant multiplies the gradient by up to 10.
-  return stress + 30.0 * c.leap * gradient * c.bulk_modulus +
+  // A moment just above the smallest determinant multiplies the gradient by up to 10, in 3D 100.
+  return stress + 300.0 * c.leap * gradient * c.bulk_modulus +
          (c.alpha_phi > 0.0 ? c.k_c / c.alpha_phi : c.k_c);
 }
 

@@ -25,6 +25,18 @@ double now_s() {
 /// Of all threads of this program.
 double cpu_now_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// Ends a run whose grains have become so fast that it would never end. The last step of a stage,
+/// and those that grow after it, are short for another reason.
+void demand_step(const StepReport& last, double least_share, double& largest) {
+  largest = std::max(largest, last.time_step);
+  const bool bound = last.limit == StepLimit::courant || last.limit == StepLimit::force;
+  if (!bound || last.time_step >= least_share * largest) return;
+  throw SimulationInstability(
+      fmt::format("step {}: the time step has fallen from {:.2g} to {:.2g} s; the fastest particle "
+                  "moves at {:.3g} m/s. Try a smaller CFL number.",
+                  last.step, largest, last.time_step, last.max_velocity));
+}
+
 const char* form_name(Form form) {
   return form == Form::short_form ? "short" : form == Form::main ? "main" : "full";
 }
@@ -106,9 +118,11 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
          static_cast<double>(simulation.memory_bytes())});
     progress.end();
   };
+  double largest_step = 0.0;
   try {
     do {
       simulation.step();
+      demand_step(simulation.last_step(), options_.least_step_share, largest_step);
       if (writer != nullptr) writer->after_step(simulation);
       if (each_step) each_step(simulation);
       progress.update(simulation);

@@ -25,6 +25,8 @@ struct CaseOptions {
   double spacing = 0.0;               ///< in place of the form's [m]
   RunOptions run;
   bool quiet = false;
+  /// A run whose time step falls below this share of its largest counts as unstable; 0: none does.
+  double least_step_share = 0.0;
 };
 
 /// Particle spacing of each form [m].

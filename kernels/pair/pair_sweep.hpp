@@ -75,8 +75,8 @@ class ClusterSweep {
   }
 
   /// Between soil and walls: a grain that sees hardly any soil keeps the plain gradient. Corrected
-  /// by dummies alone, whose velocity jumps at the face, it would dilate as it slides, lose its
-  /// stress and sink into the wall.
+  /// by dummies alone it would take the jump of velocity at the face for strain, and more grains
+  /// would sink into the wall.
   SCARP_INLINE void judge_support() {
     if constexpr (Traits::correction) {
       B moment[dim * (dim + 1) / 2];

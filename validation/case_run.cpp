@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <system_error>
@@ -25,16 +26,24 @@ double now_s() {
 /// Of all threads of this program.
 double cpu_now_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Ends a run whose grains have become so fast that it would never end. The last step of a stage,
-/// and those that grow after it, are short for another reason.
-void demand_step(const StepReport& last, double least_share, double& largest) {
-  largest = std::max(largest, last.time_step);
-  const bool bound = last.limit == StepLimit::courant || last.limit == StepLimit::force;
-  if (!bound || last.time_step >= least_share * largest) return;
+/// Speed of the compression wave in the stiffest material [m/s].
+double fastest_sound(const Scene& scene) {
+  double fastest = 0.0;
+  for (const Material& material : scene.materials) {
+    const double youngs = material.parameters[0], poisson = material.parameters[1];
+    const double modulus = youngs * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+    fastest = std::max(fastest, std::sqrt(modulus / material.density));
+  }
+  return fastest;
+}
+
+/// Nothing that soil does is faster than sound in it.
+void demand_subsonic(const StepReport& last, double sound) {
+  if (last.max_velocity <= sound) return;
   throw SimulationInstability(
-      fmt::format("step {}: the time step has fallen from {:.2g} to {:.2g} s; the fastest particle "
-                  "moves at {:.3g} m/s. Try a smaller CFL number.",
-                  last.step, largest, last.time_step, last.max_velocity));
+      fmt::format("step {}: the fastest particle moves at {:.3g} m/s, faster than sound in the "
+                  "material ({:.3g} m/s). Try a smaller CFL number.",
+                  last.step, last.max_velocity, sound));
 }
 
 const char* form_name(Form form) {
@@ -118,11 +127,11 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
          static_cast<double>(simulation.memory_bytes())});
     progress.end();
   };
-  double largest_step = 0.0;
+  const double sound = fastest_sound(simulation.scene());
   try {
     do {
       simulation.step();
-      demand_step(simulation.last_step(), options_.least_step_share, largest_step);
+      if (options_.stop_when_supersonic) demand_subsonic(simulation.last_step(), sound);
       if (writer != nullptr) writer->after_step(simulation);
       if (each_step) each_step(simulation);
       progress.update(simulation);

@@ -25,8 +25,9 @@ struct CaseOptions {
   double spacing = 0.0;               ///< in place of the form's [m]
   RunOptions run;
   bool quiet = false;
-  /// A run whose time step falls below this share of its largest counts as unstable; 0: none does.
-  double least_step_share = 0.0;
+  /// A run with a particle faster than sound counts as unstable. Lost grains slow a run until it
+  /// would never end.
+  bool stop_when_supersonic = false;
 };
 
 /// Particle spacing of each form [m].

@@ -79,7 +79,7 @@ class Runner {
     of_case.out = options.out;
     of_case.run = options.run;
     of_case.quiet = true;
-    of_case.least_step_share = 1e-3;
+    of_case.stop_when_supersonic = true;
     return of_case;
   }
 

@@ -227,7 +227,7 @@ void place_walls(State& state) {
   for (std::size_t k = 0; k < moved.position.size(); ++k) {
     for (std::size_t a = 0; a < 3; ++a) moved.position[k][a] += state.wall_offset[moved.wall[k]][a];
   }
-  state.walls = Walls(moved, has_dummies, cell);
+  state.walls = Walls(moved, has_dummies, cell, state.scaling.inverse_smoothing_length);
   state.records =
       Records(state.particles.slots(), state.walls.slots(), state.kernels.artificial_stress);
   state.lists_valid = false;

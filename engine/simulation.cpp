@@ -17,23 +17,14 @@ namespace {
 using Phase = void (*)(State&);
 
 /// The step of each integrator, literally; an adapter may act between two phases.
-constexpr std::array verlet_phases{
-    refresh_neighbours, extrapolate_wall_stress, sweep_all, sample_energy,
-    choose_time_step,   advance_verlet,          end_step};
-constexpr std::array kick_drift_kick_phases{choose_time_step,
-                                            kick_half,
-                                            drift_half,
-                                            refresh_neighbours,
-                                            extrapolate_wall_stress,
-                                            sweep_gradient,
-                                            advance_stress,
-                                            drift_half,
-                                            refresh_neighbours,
-                                            extrapolate_wall_stress,
-                                            sweep_force,
-                                            kick_half,
-                                            sample_energy,
-                                            end_step};
+constexpr std::array verlet_phases{refresh_neighbours, extrapolate_walls, sweep_all,
+                                   sample_energy,      choose_time_step,  advance_verlet,
+                                   hold_off_faces,     end_step};
+constexpr std::array kick_drift_kick_phases{
+    choose_time_step,   kick_half,          hold_off_faces,    drift_half,
+    refresh_neighbours, extrapolate_walls,  sweep_gradient,    advance_stress,
+    drift_half,         refresh_neighbours, extrapolate_walls, sweep_force,
+    kick_half,          hold_off_faces,     sample_energy,     end_step};
 
 std::span<const Phase> phases_of(Integrator integrator) {
   if (integrator == Integrator::verlet) return verlet_phases;
@@ -212,6 +203,7 @@ std::size_t Simulation::memory_bytes() const {
 }
 std::uint64_t Simulation::rebuild_count() const { return impl_->state.rebuilds; }
 std::uint64_t Simulation::density_bound_count() const { return impl_->state.density_bounds; }
+std::uint64_t Simulation::face_hold_count() const { return impl_->state.holds; }
 std::vector<UsedFeature> Simulation::features() const { return used_features(impl_->state); }
 
 }  // namespace scarp

@@ -125,6 +125,7 @@ class Simulation {
   std::size_t memory_bytes() const;           ///< state, records and lists
   std::uint64_t rebuild_count() const;        ///< of the neighbour lists so far
   std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far
+  std::uint64_t face_hold_count() const;      ///< how often a grain was held off a no-slip face
   std::vector<UsedFeature> features() const;
 
  private:

@@ -99,7 +99,7 @@ void enter_stage(State& state, std::size_t index) {
   if (state.kernels.fused ==
       nullptr) {  // kick-drift-kick needs the acceleration its first kick uses
     refresh_neighbours(state);
-    extrapolate_wall_stress(state);
+    extrapolate_walls(state);
     sweep_force(state);
   }
   start_ledger(state);

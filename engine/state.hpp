@@ -97,13 +97,15 @@ struct State {
   StepReport report;
   EnergyLedger ledger;
   std::uint64_t density_bounds = 0;
+  std::uint64_t holds = 0;  ///< times a grain was held off a face
 };
 
 // Phases, in the order they appear in a step.
 void refresh_neighbours(
     State& state);  ///< engine/neighbours/refresh.cpp: sort, cells, lists, records
-void extrapolate_wall_stress(State& state);  ///< engine/boundary/wall_phase.cpp
-void sweep_all(State& state);                ///< engine/sweep/pair_sweeps.cpp: every rate at once
+void extrapolate_walls(State& state);  ///< engine/boundary/wall_phase.cpp
+void hold_off_faces(State& state);     ///< engine/boundary/hold_off.cpp
+void sweep_all(State& state);          ///< engine/sweep/pair_sweeps.cpp: every rate at once
 void sweep_gradient(State& state);
 void sweep_force(State& state);
 void choose_time_step(State& state);  ///< engine/integrate/step_control.cpp

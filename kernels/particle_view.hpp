@@ -38,6 +38,11 @@ static_assert(record_size == 16);
 template <int Dim>
 inline constexpr double smallest_moment_determinant = Dim == 2 ? 0.1 : 0.01;
 
+/// Most that the velocity of a dummy lies beyond that of its wall, in soil velocities relative to
+/// the wall (B1). A dense layer half a spacing off the face would have 1 to 3; but with more than
+/// this limit soil below the edge of a footing loses its contact (case `footing`).
+inline constexpr double extrapolation_limit = 0.5;
+
 /// Artificial stress of particle j times its density (Eq. 27), six components and two of padding.
 inline constexpr int tension_record_size = 8;
 
@@ -85,8 +90,6 @@ struct PairSweepView {
   const Real* records;          ///< soil, dummies, mirror images, far record; x record_size
   const Real* tension_records;  ///< x tension_record_size; null: no artificial stress
   const std::uint8_t* tension;  ///< 1 where the tension record is not zero
-  const Real* wall_records;     ///< dummies x wall_record_size, first dummy is `first_wall`
-  std::int64_t first_wall;
   NeighbourView neighbours;
   PairConstants<Real> constants;
   double smoothing_length;
@@ -162,7 +165,8 @@ struct CandidateView {
   double radius_squared;
 };
 
-/// Input and output of the wall sweep: stress of dummy particles from the soil near them.
+/// Input and output of the wall sweep: velocity and stress of dummy particles from the soil near
+/// them. The records of the dummies come with the velocity of their wall.
 template <class Real>
 struct WallSweepView {
   const Real* records;
@@ -170,6 +174,8 @@ struct WallSweepView {
   SmoothingView<Real> smoothing;
   Real gravity[3];          ///< g - a_wall, times h [m2/s2]
   std::int64_t first_wall;  ///< index of the first dummy in `records`
+  const Real* faces;        ///< dummies x wall_record_size, padding included
+  double* velocity[3];      ///< by dummy [m/s]
   double* stress[6];        ///< by dummy [Pa]
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The walls' phase of a step: dummies into the records, stress from the soil.
+/// The walls' phase of a step: dummies into the records, velocity and stress from the soil.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ WallMaterial wall_material(const State& state) {
 
 }  // namespace
 
-void extrapolate_wall_stress(State& state) {
+void extrapolate_walls(State& state) {
   if (state.walls.count() == 0) return;
   state.walls.pack(state.records, state.scaling.inverse_smoothing_length, wall_material(state),
                    state.wall_velocity);
@@ -29,13 +29,13 @@ void extrapolate_wall_stress(State& state) {
   kernels::PairSweepView<double> records{};
   state.records.fill(records, false);
   view.records = records.records;
-  view.first_wall = records.first_wall;
+  view.first_wall = state.records.first_wall();
   view.neighbours = state.wall_lists.view();
   view.smoothing = state.pair_constants.smoothing;
   for (std::size_t a = 0; a < 3; ++a)
     view.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
-  state.walls.extrapolate_stress(state.threads, *state.kernels.table, state.scene.dimension,
-                                 state.wall_lists, view, state.records);
+  state.walls.extrapolate(state.threads, *state.kernels.table, state.scene.dimension,
+                          state.wall_lists, view, state.records);
 }
 
 }  // namespace scarp

@@ -10,7 +10,8 @@ namespace scarp {
 
 using namespace kernels;
 
-Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size) {
+Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size,
+             double inverse_smoothing_length) {
   std::vector<std::size_t> kept;
   AlignedVector<double> axes[3];
   for (std::size_t k = 0; k < dummies.wall.size(); ++k) {
@@ -22,13 +23,17 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
   CellGrid grid;
   const SlotRange all{0, static_cast<std::int64_t>(kept.size())};
   grid.build(1, {axes[0].data(), axes[1].data(), axes[2].data()}, {&all, 1}, cell_size);
-  for (std::size_t a = 0; a < 3; ++a) position_[a].assign(static_cast<std::size_t>(slots_), 0.0);
+  for (auto* components : {position_, velocity_}) {
+    for (std::size_t a = 0; a < 3; ++a) components[a].assign(static_cast<std::size_t>(slots_), 0.0);
+  }
+  faces_.assign(static_cast<std::size_t>(slots_) * wall_record_size, 0.0);
   for (auto& component : stress_) component.assign(static_cast<std::size_t>(slots_), 0.0);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t source = kept[static_cast<std::size_t>(grid.order()[k])];
     for (std::size_t a = 0; a < 3; ++a) position_[a][k] = dummies.position[source][a];
-    normal_.push_back(dummies.normal[source]);
-    distance_.push_back(dummies.distance[source]);
+    double* face = faces_.data() + k * wall_record_size;
+    for (std::size_t a = 0; a < 3; ++a) face[wall_normal_x + a] = dummies.normal[source][a];
+    face[wall_distance] = dummies.distance[source] * inverse_smoothing_length;
     wall_.push_back(dummies.wall[source]);
   }
 }
@@ -49,36 +54,37 @@ void Walls::pack(Records& records, double inverse_smoothing_length, const WallMa
   for (std::int64_t k = 0; k < count(); ++k) {
     const auto dummy = static_cast<std::size_t>(k);
     double* r = records.wall(k);
-    double* face = records.wall_face(k);
     for (std::size_t a = 0; a < 3; ++a) {
       r[record_x + a] = position_[a][dummy] * inverse_smoothing_length;
       r[record_velocity_x + a] = wall_velocity[wall_[dummy]][a];
-      face[wall_normal_x + a] = normal_[dummy][a];
     }
     r[record_volume] = material.volume;
     r[record_density] = material.density;
     r[record_sound_speed] = material.sound_speed;
-    face[wall_distance] = distance_[dummy] * inverse_smoothing_length;
   }
 }
 
-void Walls::extrapolate_stress(int threads, const KernelTable& kernels, int dimension,
-                               const NeighbourLists& lists, const WallSweepView<double>& base,
-                               Records& records) {
+void Walls::extrapolate(int threads, const KernelTable& kernels, int dimension,
+                        const NeighbourLists& lists, const WallSweepView<double>& base,
+                        Records& records) {
   WallSweepView<double> view = base;
+  view.faces = faces_.data();
+  for (std::size_t a = 0; a < 3; ++a) view.velocity[a] = velocity_[a].data();
   for (std::size_t c = 0; c < 6; ++c) view.stress[c] = stress_[c].data();
   const auto sweep = kernels.wall_sweep[static_cast<std::size_t>(dimension - 2)];
   const auto active = lists.active_clusters();
   const std::int64_t size = kernels.cluster_size;
   const std::size_t components = dimension == 2 ? 4 : 6;
   const auto run = [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t a = begin; a < end; ++a) {
-      const std::int64_t cluster = active[static_cast<std::size_t>(a)];
+    for (std::int64_t n = begin; n < end; ++n) {
+      const std::int64_t cluster = active[static_cast<std::size_t>(n)];
       sweep(view, cluster, cluster + 1);
       for (std::int64_t k = cluster * size; k < std::min((cluster + 1) * size, count()); ++k) {
         const auto dummy = static_cast<std::size_t>(k);
-        for (std::size_t c = 0; c < components; ++c)
-          records.wall(k)[record_stress + c] = stress_[c][dummy];
+        double* r = records.wall(k);
+        for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
+          r[record_velocity_x + a] = velocity_[a][dummy];
+        for (std::size_t c = 0; c < components; ++c) r[record_stress + c] = stress_[c][dummy];
       }
     }
   };
@@ -86,8 +92,8 @@ void Walls::extrapolate_stress(int threads, const KernelTable& kernels, int dime
 }
 
 std::size_t Walls::bytes() const {
-  return static_cast<std::size_t>(slots_) * 9 * sizeof(double) +
-         wall_.size() * (sizeof(Vec3) + sizeof(double) + sizeof(std::size_t));
+  return static_cast<std::size_t>(slots_) * (12 + wall_record_size) * sizeof(double) +
+         wall_.size() * sizeof(std::size_t);
 }
 
 }  // namespace scarp

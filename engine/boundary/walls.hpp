@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Dummy particles of the no-slip walls during a run: motion, removal, stress from the soil.
+/// Dummy particles of the no-slip walls during a run: motion, removal, velocity and stress from the
+/// soil.
 #pragma once
 
 #include <array>
@@ -27,7 +28,8 @@ class Walls {
  public:
   Walls() = default;
   /// Dummies of the walls that stand, in Morton order.
-  Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size);
+  Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size,
+        double inverse_smoothing_length);
 
   std::int64_t count() const { return static_cast<std::int64_t>(wall_.size()); }
   std::int64_t slots() const { return slots_; }
@@ -38,21 +40,21 @@ class Walls {
   /// Moves the dummies of a wall.
   void move(std::size_t wall, const Vec3& step);
 
-  /// Positions, velocities and faces into the records; stress follows from `extrapolate_stress`.
+  /// Positions and velocities of the walls into the records; `extrapolate` follows.
   void pack(Records& records, double inverse_smoothing_length, const WallMaterial& material,
             const std::vector<Vec3>& wall_velocity) const;
-  /// Wall sweep over the dummies that have soil in reach (B2).
-  void extrapolate_stress(int threads, const kernels::KernelTable& kernels, int dimension,
-                          const NeighbourLists& lists, const kernels::WallSweepView<double>& base,
-                          Records& records);
+  /// Wall sweep over the dummies that have soil in reach: velocity (B1) and stress (B2).
+  void extrapolate(int threads, const kernels::KernelTable& kernels, int dimension,
+                   const NeighbourLists& lists, const kernels::WallSweepView<double>& base,
+                   Records& records);
   std::size_t bytes() const;
 
  private:
   std::int64_t slots_ = 0;
   AlignedVector<double> position_[3];
+  AlignedVector<double> velocity_[3];
   AlignedVector<double> stress_[6];
-  std::vector<Vec3> normal_;
-  std::vector<double> distance_;
+  AlignedVector<double> faces_;  ///< kernels::WallSlot
   std::vector<std::size_t> wall_;
 };
 

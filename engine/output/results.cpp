@@ -105,6 +105,8 @@ std::vector<Measure> basic_measures(const Simulation& simulation) {
   if (scene.output.energy) report("energy imbalance", energy.imbalance, joule);
   report("actions of the density bounds", static_cast<double>(simulation.density_bound_count()),
          "");
+  report("times a grain was held off a face", static_cast<double>(simulation.face_hold_count()),
+         "");
   return measures;
 }
 

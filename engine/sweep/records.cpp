@@ -18,10 +18,6 @@ Records::Records(std::int64_t soil_slots, std::int64_t wall_slots, bool artifici
     tension_records_.resize(1);  // marks the term as used; `resize_images` gives the size
     tension_.resize(1);
   }
-  faces_.assign(static_cast<std::size_t>(wall_slots + 1) * wall_record_size, 0.0);
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(wall_slots); ++k) {
-    faces_[k * wall_record_size + wall_distance] = 1.0;
-  }
   resize_images(0);
 }
 
@@ -39,12 +35,6 @@ void Records::resize_images(std::int64_t count) {
   const auto total = static_cast<std::size_t>(far_record_ + 1);
   records_.resize(total * record_size);
   set_far(kept);
-  // Sweeps look up the face of padding in wall lists by its distance from the first dummy.
-  const auto faces = static_cast<std::size_t>(far_record_ - first_wall_ + 1);
-  faces_.resize(faces * wall_record_size, 0.0);
-  for (std::size_t k = static_cast<std::size_t>(first_image_ - first_wall_); k < faces; ++k) {
-    faces_[k * wall_record_size + wall_distance] = 1.0;
-  }
   if (has_tension_records()) {
     tension_records_.resize(total * tension_record_size, 0.0);
     tension_.resize(total, 0);
@@ -144,15 +134,12 @@ bool Records::pack_tension(int threads, const ParticleBuffers& particles, double
 
 void Records::fill(PairSweepView<double>& view, bool with_tension) const {
   view.records = records_.data();
-  view.wall_records = faces_.data();
-  view.first_wall = first_wall_;
   view.tension_records = with_tension ? tension_records_.data() : nullptr;
   view.tension = with_tension ? tension_.data() : nullptr;
 }
 
 std::size_t Records::bytes() const {
-  return (records_.size() + faces_.size() + tension_records_.size()) * sizeof(double) +
-         tension_.size();
+  return (records_.size() + tension_records_.size()) * sizeof(double) + tension_.size();
 }
 
 }  // namespace scarp

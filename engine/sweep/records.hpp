@@ -40,9 +40,6 @@ class Records {
   double* wall(std::int64_t dummy) {
     return records_.data() + (first_wall_ + dummy) * kernels::record_size;
   }
-  double* wall_face(std::int64_t dummy) {
-    return faces_.data() + dummy * kernels::wall_record_size;
-  }
   double* record(std::int64_t index) { return records_.data() + index * kernels::record_size; }
   double* tension_record(std::int64_t index) {
     return tension_records_.data() + index * kernels::tension_record_size;
@@ -62,7 +59,6 @@ class Records {
   std::int64_t first_image_ = 0;
   std::int64_t far_record_ = 0;
   AlignedVector<double> records_;
-  AlignedVector<double> faces_;
   AlignedVector<double> tension_records_;
   std::vector<std::uint8_t> tension_;
 };

@@ -27,7 +27,7 @@ struct PairGeometry {
 /// What the second stage adds to it.
 template <class B, int Dim>
 struct PairMotion {
-  B velocity[Dim];         ///< v_i - v_j, as the wall treatment leaves it
+  B velocity[Dim];         ///< v_i - v_j
   B approach;              ///< velocity . offset
   B volume_gradient[Dim];  ///< V_j grad_i W [1/m]
 };

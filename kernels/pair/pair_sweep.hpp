@@ -10,7 +10,6 @@
 #include "kernels/pair/stress_diffusion.hpp"
 #include "kernels/pair/velocity_gradient.hpp"
 #include "kernels/pair/viscosity.hpp"
-#include "kernels/pair/wall_velocity.hpp"
 
 namespace scarp::kernels {
 
@@ -74,21 +73,6 @@ class ClusterSweep {
     }
   }
 
-  /// Between soil and walls: a grain that sees hardly any soil keeps the plain gradient. Corrected
-  /// by dummies alone it would take the jump of velocity at the face for strain, and more grains
-  /// would sink into the wall.
-  SCARP_INLINE void judge_support() {
-    if constexpr (Traits::correction) {
-      B moment[dim * (dim + 1) / 2];
-      for (int k = 0; k < dim * (dim + 1) / 2; ++k) {
-        moment[k] = -fold(moment_.minus_moment[k]) * B(Real(view_.smoothing_length));
-      }
-      moment_.supported = xsimd::select(
-          GradientMoment<B, dim>::determinant(moment) >= B(Real(smallest_moment_determinant<dim>)),
-          B(Real(1)), B(Real(0)));
-    }
-  }
-
   SCARP_INLINE void store() {
     if constexpr (Traits::gradient) {
       put(view_.density_rate, continuity_.density_rate);
@@ -102,7 +86,7 @@ class ClusterSweep {
       constexpr int component[2][6] = {{xx, xy, yy}, {xx, xy, zx, yy, yz, zz}};
       for (int k = 0; k < dim * (dim + 1) / 2; ++k) {
         put(view_.moment[component[dim - 2][k]],
-            -moment_.minus_moment[k] * moment_.supported * B(Real(view_.smoothing_length)));
+            -moment_.minus_moment[k] * B(Real(view_.smoothing_length)));
       }
       for (int c = 0; c < StressDiffusion<B, dim>::components; ++c) {
         B stress_i;
@@ -165,7 +149,6 @@ class ClusterSweep {
     return pair;
   }
 
-  template <bool Wall>
   SCARP_INLINE PairMotion<B, dim> motion(const Pair& pair, std::int32_t low,
                                          std::int32_t high) const {
     const Real* p = view_.records + std::int64_t{low} * stride;
@@ -176,15 +159,6 @@ class ClusterSweep {
       m.velocity[a] =
           i_.velocity[a] - select_(p + record_velocity_x + a, r + record_velocity_x + a);
     });
-    if constexpr (Wall) {
-      const Real* w = view_.wall_records + (low - view_.first_wall) * wall_record_size;
-      const Real* v = view_.wall_records + (high - view_.first_wall) * wall_record_size;
-      B normal[dim];
-      unrolled<dim>([&](auto a) SCARP_LAMBDA {
-        normal[a] = select_(w + wall_normal_x + a, v + wall_normal_x + a);
-      });
-      wall_velocity<B, dim, Real>(normal, select_(w + wall_distance, v + wall_distance), pair, m);
-    }
     m.approach = m.velocity[0] * pair.offset[0];
     unrolled<dim - 1>([&](auto a) SCARP_LAMBDA {
       m.approach = xsimd::fma(m.velocity[a + 1], pair.offset[a + 1], m.approach);
@@ -197,7 +171,7 @@ class ClusterSweep {
                                bool tension) {
     const Real* p = view_.records + std::int64_t{low} * stride;
     const Real* r = view_.records + std::int64_t{high} * stride;
-    const PairMotion<B, dim> m = motion<Wall>(pair, low, high);
+    const PairMotion<B, dim> m = motion(pair, low, high);
     B stress[6];
     if constexpr (Traits::force || (Traits::correction && !Wall)) {
       unrolled<dim == 2 ? 4 : 6>([&](auto c) SCARP_LAMBDA {
@@ -310,7 +284,6 @@ void pair_sweep(const PairSweepView<Real>& view, std::int64_t begin, std::int64_
     ClusterSweep<Arch, Real, Traits> sweep(view, cluster);
     sweep.template add_entries<false>(lists.soil_begin[cluster], lists.wall_begin[cluster]);
     if (lists.wall_begin[cluster] != lists.end[cluster]) {
-      sweep.judge_support();
       sweep.template add_entries<true>(lists.wall_begin[cluster], lists.end[cluster]);
     }
     sweep.store();

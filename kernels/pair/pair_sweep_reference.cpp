@@ -22,18 +22,6 @@ Matrix matrix_of(const std::array<double, 6>& s) {
 
 constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
 
-/// v_i - v_j, or what a wall makes of it. Equation: B1.
-Vector relative_velocity(const ReferenceParticles& p, std::size_t i, std::size_t j) {
-  const Vector difference = vector_of(p.velocity[i]) - vector_of(p.velocity[j]);
-  if (!p.is_wall(j)) return difference;
-  const ReferenceFace& face = p.face[j];
-  const Vector normal = vector_of(face.normal);
-  const double behind = face.distance;
-  const double before = normal.dot(vector_of(p.position[i]) - vector_of(p.position[j])) - behind;
-  const double beta = before > 0.0 ? std::fmin(1.5, 1.0 + behind / before) : 1.5;
-  return beta * difference;
-}
-
 /// Pi of Eq. 26 and, if the pair approaches, -mu.
 double viscosity(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
                  std::size_t j, const Vector& velocity, const Vector& distance,
@@ -116,7 +104,6 @@ std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
   std::vector<ReferenceRate> rates(p.soil_count);
   for (std::size_t i = 0; i < p.soil_count; ++i) {
     ReferenceRate& rate = rates[i];
-    Matrix of_soil = Matrix::Zero();
     for (std::size_t j = 0; j < p.size(); ++j) {
       const Vector distance = vector_of(p.position[i]) - vector_of(p.position[j]);
       const double r = distance.norm();
@@ -124,46 +111,50 @@ std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
       ++rate.neighbours;
       const Vector gradient = smoothing_slope_reference(s.smoothing, s.dimension, r, h) /
                               (r * s.lattice_moment) * distance;
-      const Vector velocity = relative_velocity(p, i, j);
+      const Vector velocity = vector_of(p.velocity[i]) - vector_of(p.velocity[j]);
       add_gradients(p, s, j, velocity, distance, gradient, rate);
       add_forces(p, s, i, j, velocity, distance, gradient, rate);
-      if (p.is_wall(j)) continue;
-      add_diffusion(p, s, i, j, distance, gradient, rate);
-      of_soil -= p.volume[j] * distance * gradient.transpose();
+      if (!p.is_wall(j)) add_diffusion(p, s, i, j, distance, gradient, rate);
     }
-    if (s.dimension == 2) of_soil(2, 2) = 1.0;
-    // Dummies alone correct nothing.
-    const double smallest =
-        s.dimension == 2 ? smallest_moment_determinant<2> : smallest_moment_determinant<3>;
-    if (of_soil.determinant() < smallest) rate.moment.fill({});
   }
   return rates;
 }
 
-std::vector<std::array<ReferenceSum, 6>> wall_stress_reference(const ReferenceParticles& p,
-                                                               const ReferenceSettings& s) {
-  std::vector<std::array<ReferenceSum, 6>> stress(p.wall_count);
+std::vector<ReferenceDummy> wall_sweep_reference(const ReferenceParticles& p,
+                                                 const ReferenceSettings& s) {
+  std::vector<ReferenceDummy> dummies(p.wall_count);
   for (std::size_t w = p.soil_count; w < p.soil_count + p.wall_count; ++w) {
-    std::array<ReferenceSum, 6>& sum = stress[w - p.soil_count];
-    double weights = 0.0;
+    ReferenceDummy& dummy = dummies[w - p.soil_count];
+    double weights = 0.0, before = 0.0;
+    std::array<ReferenceSum, 3> slip;
     for (std::size_t j = 0; j < p.size(); ++j) {
       if (p.is_wall(j)) continue;
       const Vector distance = vector_of(p.position[w]) - vector_of(p.position[j]);
       const double weight =
           smoothing_value_reference(s.smoothing, s.dimension, distance.norm(), s.smoothing_length);
       weights += weight;
+      before -= weight * (distance.dot(vector_of(p.face[w].normal)) + p.face[w].distance);
+      for (int a = 0; a < 3; ++a) slip[a].add(weight * (p.velocity[j][a] - p.velocity[w][a]));
       const double lithostatic = p.density[j] * vector_of(s.gravity).dot(distance);
       for (int c = 0; c < 6; ++c) {
-        sum[c].add(weight * p.stress[j][c]);
-        if (c < 3) sum[c].add(-weight * lithostatic);
+        dummy.stress[c].add(weight * p.stress[j][c]);
+        if (c < 3) dummy.stress[c].add(-weight * lithostatic);
       }
     }
-    for (ReferenceSum& component : sum) {
-      component.value = weights > 0.0 ? component.value / weights : 0.0;
-      component.largest = weights > 0.0 ? component.largest / weights : 0.0;
+    const double scale = weights > 0.0 ? 1.0 / weights : 0.0;
+    for (ReferenceSum& component : dummy.stress) {
+      component.value *= scale;
+      component.largest *= scale;
+    }
+    const double height = before * scale;
+    const double ratio = height > 0.0 ? std::fmin(extrapolation_limit, p.face[w].distance / height)
+                                      : extrapolation_limit;
+    for (int a = 0; a < 3; ++a) {
+      dummy.velocity[a] = {p.velocity[w][a] - ratio * scale * slip[a].value,
+                           std::fabs(p.velocity[w][a]) + ratio * scale * slip[a].largest};
     }
   }
-  return stress;
+  return dummies;
 }
 
 std::array<double, 6> positive_part_reference(const std::array<double, 6>& stress, int dimension) {

@@ -23,7 +23,7 @@ struct ReferenceFace {
 /// particle. SI; components xx, yy, zz, xy, yz, zx.
 struct ReferenceParticles {
   std::size_t soil_count = 0, wall_count = 0;
-  std::vector<std::array<double, 3>> position, velocity;  ///< dummies: velocity of their wall
+  std::vector<std::array<double, 3>> position, velocity;
   std::vector<double> density, volume, sound_speed;
   std::vector<double> diffusivity;  ///< D of the stress diffusion [m2/s]
   std::vector<std::array<double, 6>> stress;
@@ -69,14 +69,21 @@ struct ReferenceRate {
   ReferenceSum diffusion_slope;
 };
 
-/// Rates of all soil particles. Equation: E19, E20, E23, E24, E26, E27, B1, D1, K1. Cost: O(N^2).
+/// What a wall makes of a dummy.
+struct ReferenceDummy {
+  std::array<ReferenceSum, 3> velocity;  ///< [m/s]
+  std::array<ReferenceSum, 6> stress;    ///< [Pa]
+};
+
+/// Rates of all soil particles; dummies come with their extrapolated velocity and stress. Equation:
+/// E19, E20, E23, E24, E26, E27, D1, K1. Cost: O(N^2).
 std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& particles,
                                                 const ReferenceSettings& settings);
 
-/// Stress of all dummies [Pa] and, beside the sums, their largest terms. Equation: B2. Cost:
-/// O(N^2).
-std::vector<std::array<ReferenceSum, 6>> wall_stress_reference(const ReferenceParticles& particles,
-                                                               const ReferenceSettings& settings);
+/// Velocity and stress of all dummies, which come with the velocity of their wall. Equation: B1,
+/// B2. Cost: O(N^2).
+std::vector<ReferenceDummy> wall_sweep_reference(const ReferenceParticles& particles,
+                                                 const ReferenceSettings& settings);
 
 /// Positive part of the stress by its eigenvectors; in 2D of its in-plane block. Equation: E27.
 std::array<double, 6> positive_part_reference(const std::array<double, 6>& stress, int dimension);

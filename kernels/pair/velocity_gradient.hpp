@@ -30,7 +30,6 @@ struct VelocityGradient {
 template <class B, int Dim>
 struct GradientMoment {
   B minus_moment[Dim * (Dim + 1) / 2];  ///< over h
-  B supported = B(1);                   ///< 0 where the soil alone is too little to correct with
 
   SCARP_INLINE GradientMoment() {
     unrolled<Dim*(Dim + 1) / 2>([&](auto k) SCARP_LAMBDA { minus_moment[k] = B(0); });
@@ -42,16 +41,6 @@ struct GradientMoment {
         minus_moment[k] = xsimd::fma(pair.offset[a], motion.volume_gradient[b], minus_moment[k]);
       });
     });
-  }
-
-  /// Determinant of a moment of the same order of components.
-  static SCARP_INLINE B determinant(const B (&m)[Dim * (Dim + 1) / 2]) {
-    if constexpr (Dim == 2) {
-      return m[0] * m[2] - m[1] * m[1];
-    } else {
-      return m[0] * (m[3] * m[5] - m[4] * m[4]) - m[1] * (m[1] * m[5] - m[4] * m[2]) +
-             m[2] * (m[1] * m[4] - m[3] * m[2]);
-    }
   }
 };
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Stress of the dummy particles of walls, extrapolated from the soil near them.
+/// Velocity and stress of the dummy particles of walls, extrapolated from the soil near them.
 #pragma once
+
+#include <algorithm>
 
 #include "kernels/pair/pair_geometry.hpp"
 
 namespace scarp::kernels {
 
-/// Equation: B2; sigma_w = sum_j [sigma_j - rho_j (g - a_w).(x_w - x_j) I] W_wj / sum_j W_wj; a
-/// dummy without soil in reach has zero stress. Sweeps clusters [begin, end) of dummies. Errors:
-/// none, hot path.
+/// Equation: B1, v_w = v_wall - min(1/2, d_w/d) (v - v_wall), where d_w is the distance of the
+/// dummy to the face, d and v are averages of the soil's, with the weights W_wj. B2, sigma_w =
+/// sum_j [sigma_j - rho_j (g - a_w).(x_w - x_j) I] W_wj / sum_j W_wj. A dummy without soil in reach
+/// keeps the velocity of its wall and has zero stress. Sweeps clusters [begin, end) of dummies.
+/// Errors: none, hot path.
 template <class Arch, class Real, int Dim>
 void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_t end) {
   using B = Batch<Real, Arch>;
@@ -18,45 +22,69 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
   const std::int32_t* entries = view.neighbours.entries;
   for (std::int64_t cluster = begin; cluster < end; ++cluster) {
     const std::int64_t first = view.first_wall + cluster * half;
+    const Real* faces = view.faces + cluster * half * wall_record_size;
     alignas(64) Real lane[2 * half];
-    B position[Dim];
+    const auto load = [&](const Real* values, int stride) {
+      for (int l = 0; l < half; ++l) lane[l] = lane[l + half] = values[l * stride];
+      return B::load_aligned(lane);
+    };
+    B position[Dim], normal[Dim];
     for (int a = 0; a < Dim; ++a) {
-      for (int l = 0; l < half; ++l)
-        lane[l] = lane[l + half] = view.records[(first + l) * record_size + a];
-      position[a] = B::load_aligned(lane);
+      position[a] = load(view.records + first * record_size + record_x + a, record_size);
+      normal[a] = load(faces + wall_normal_x + a, wall_record_size);
     }
-    B weight_sum(Real(0)), sums[components];
+    B weight_sum(Real(0)), height_sum(Real(0)), velocity_sums[Dim], sums[components];
+    for (auto& sum : velocity_sums) sum = B(Real(0));
     for (auto& sum : sums) sum = B(Real(0));
     const std::int64_t end_entry = view.neighbours.wall_begin[cluster];
     for (std::int64_t e = view.neighbours.soil_begin[cluster]; e < end_entry; e += 2) {
       const Real* p = view.records + std::int64_t{entries[e]} * record_size;
       const Real* r = view.records + std::int64_t{entries[e + 1]} * record_size;
-      B squared(Real(0)), fall(Real(0));
+      B squared(Real(0)), fall(Real(0)), depth(Real(0));
       for (int a = 0; a < Dim; ++a) {
         const B offset = position[a] - select(p + record_x + a, r + record_x + a);
         squared = xsimd::fma(offset, offset, squared);
         fall = xsimd::fma(offset, B(view.gravity[a]), fall);
+        depth = xsimd::fma(offset, normal[a], depth);
       }
       const B weight = smoothing_value(xsimd::sqrt(squared), view.smoothing);
       const B lithostatic = select(p + record_density, r + record_density) * fall;
       weight_sum = weight_sum + weight;
+      height_sum = xsimd::fnma(weight, depth, height_sum);
+      for (int a = 0; a < Dim; ++a) {
+        velocity_sums[a] = xsimd::fma(
+            weight, select(p + record_velocity_x + a, r + record_velocity_x + a), velocity_sums[a]);
+      }
       for (int c = 0; c < components; ++c) {
         B stress = select(p + record_stress + c, r + record_stress + c);
         if (c <= zz) stress = stress - lithostatic;
         sums[c] = xsimd::fma(weight, stress, sums[c]);
       }
     }
-    alignas(64) Real weights[2 * half];
+    alignas(64) Real weights[2 * half], heights[2 * half];
     weight_sum.store_aligned(weights);
+    height_sum.store_aligned(heights);
+    // One millionth of a touching neighbour's weight: below it the quotients are noise.
+    const Real least = Real(1e-6) * (view.smoothing.value[0] + view.smoothing.value[1]);
+    for (int l = 0; l < half; ++l) weights[l] += weights[l + half];
+    for (int a = 0; a < Dim; ++a) {
+      velocity_sums[a].store_aligned(lane);
+      for (int l = 0; l < half; ++l) {
+        Real velocity = view.records[(first + l) * record_size + record_velocity_x + a];
+        if (weights[l] > least) {
+          const Real behind = faces[l * wall_record_size + wall_distance];
+          const Real before = (heights[l] + heights[l + half]) / weights[l] - behind;
+          const Real factor = behind / std::max(before, behind / Real(extrapolation_limit));
+          velocity -= factor * ((lane[l] + lane[l + half]) / weights[l] - velocity);
+        }
+        view.velocity[a][cluster * half + l] = static_cast<double>(velocity);
+      }
+    }
     for (int c = 0; c < components; ++c) {
       sums[c].store_aligned(lane);
       for (int l = 0; l < half; ++l) {
-        const Real total = weights[l] + weights[l + half];
-        // One millionth of a touching neighbour's weight: below it the quotient is noise.
-        const Real reach =
-            Real(1e-6) * view.smoothing.value[0] + Real(1e-6) * view.smoothing.value[1];
         view.stress[c][cluster * half + l] =
-            total > reach ? static_cast<double>((lane[l] + lane[l + half]) / total) : 0.0;
+            weights[l] > least ? static_cast<double>((lane[l] + lane[l + half]) / weights[l]) : 0.0;
       }
     }
   }

@@ -319,30 +319,6 @@ TEST_P(PairSweepTest, RigidRotationHasNoStrainAfterCorrection) {
   }
 }
 
-TEST_P(PairSweepTest, GrainAloneOnAWallIsNotCorrected) {
-  const BlockOptions options = block_for(dimension_);
-  ReferenceParticles p = random_block(options, 17);
-  const double dx = options.spacing;
-  const std::size_t grain = p.soil_count - 1;
-  for (std::size_t i = 0; i < grain; ++i) p.position[i][1] += 20.0 * dx;
-  const double middle = dimension_ == 3 ? 0.5 * options.cells * dx : 0.0;
-  p.position[grain] = {(options.cells - 2.0) * dx, 0.4 * dx, middle};
-  for (const Isa isa : available_isas()) {
-    const KernelTable& table = kernels_of(isa);
-    const PackedParticles packed(p, settings_, table.cluster_size);
-    PairSweepView<double> view = packed.sweep_view(false);
-    SweepOutput out(packed.slots());
-    out.attach(view);
-    table.sweep_for({dimension_, Terms::gradient, false, false, true})(view, 0,
-                                                                       packed.soil_clusters());
-    const GradientAndMoment at(out, grain, dimension_);
-    EXPECT_NE(at.gradient.m[0][1], 0.0) << table.name;  // it does feel the dummies
-    EXPECT_EQ(at.moment.xx, 0.0) << table.name;
-    EXPECT_EQ(at.moment.yy, 0.0) << table.name;
-    EXPECT_EQ(at.moment.xy, 0.0) << table.name;
-  }
-}
-
 TEST_P(PairSweepTest, FreeBlockKeepsItsMomentum) {
   BlockOptions options = block_for(dimension_);
   options.walls = false;

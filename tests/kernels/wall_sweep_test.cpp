@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Stress of dummy particles against the scalar reference and a hydrostatic closed form.
+/// Velocity and stress of dummy particles against the scalar reference, a hydrostatic and a linear
+/// closed form.
 #include <gtest/gtest.h>
 
 #include "kernels/isa/kernel_table.hpp"
@@ -22,18 +23,27 @@ ReferenceSettings wall_settings(ReferenceSmoothing smoothing, int dimension) {
   return s;
 }
 
-/// Runs the wall sweep of one instruction set; component c of dummy w is at [c][w].
-std::array<std::vector<double>, 6> swept(const KernelTable& table, const ReferenceParticles& p,
-                                         const ReferenceSettings& s) {
-  const PackedParticles packed(p, s, table.cluster_size);
+/// Components by dummy, as the wall sweep of one instruction set leaves them.
+struct Swept {
+  std::array<std::vector<double>, 3> velocity;
   std::array<std::vector<double>, 6> stress;
+};
+
+Swept swept(const KernelTable& table, const ReferenceParticles& p, const ReferenceSettings& s) {
+  const PackedParticles packed(p, s, table.cluster_size);
+  Swept out;
   WallSweepView<double> view = packed.wall_view();
+  const auto slots = static_cast<std::size_t>(packed.wall_clusters() * table.cluster_size);
+  for (std::size_t a = 0; a < 3; ++a) {
+    out.velocity[a].assign(slots, 7.0);
+    view.velocity[a] = s.dimension == 2 && a > 1 ? nullptr : out.velocity[a].data();
+  }
   for (std::size_t c = 0; c < 6; ++c) {
-    stress[c].assign(static_cast<std::size_t>(packed.wall_clusters() * table.cluster_size), 1.0);
-    view.stress[c] = s.dimension == 2 && c > 3 ? nullptr : stress[c].data();
+    out.stress[c].assign(slots, 1.0);
+    view.stress[c] = s.dimension == 2 && c > 3 ? nullptr : out.stress[c].data();
   }
   table.wall_sweep[static_cast<std::size_t>(s.dimension - 2)](view, 0, packed.wall_clusters());
-  return stress;
+  return out;
 }
 
 TEST(WallSweepTest, AgreesWithTheReference) {
@@ -48,17 +58,25 @@ TEST(WallSweepTest, AgreesWithTheReference) {
       ReferenceParticles p = random_block(options, 3);
       // One dummy far from all soil: its stress is zero.
       p.position[p.soil_count + p.wall_count - 1] = {-20.0, 50.0, 0.0};
-      const auto expected = wall_stress_reference(p, s);
-      ASSERT_EQ(expected.back()[0].value, 0.0);
+      const auto expected = wall_sweep_reference(p, s);
+      ASSERT_EQ(expected.back().stress[0].value, 0.0);
+      ASSERT_EQ(expected.back().velocity[0].value, p.velocity[p.soil_count][0]);
       for (const Isa isa : available_isas()) {
         const auto actual = swept(kernels_of(isa), p, s);
         for (std::size_t w = 0; w < expected.size(); ++w) {
           for (std::size_t c = 0; c < (dimension == 2 ? 4u : 6u); ++c) {
             // Weights at the rim of the support, where W is the cube of a small difference, carry
             // the rounding of the positions: 1e-10 of the largest term per term.
-            ASSERT_NEAR(actual[c][w], expected[w][c].value, 1e-10 * expected[w][c].largest)
+            ASSERT_NEAR(actual.stress[c][w], expected[w].stress[c].value,
+                        1e-10 * expected[w].stress[c].largest)
                 << isa_name(isa) << " " << form_of(smoothing).name << " " << dimension << "D dummy "
                 << w << " component " << c;
+          }
+          for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+            ASSERT_NEAR(actual.velocity[a][w], expected[w].velocity[a].value,
+                        1e-10 * expected[w].velocity[a].largest)
+                << isa_name(isa) << " " << form_of(smoothing).name << " " << dimension << "D dummy "
+                << w << " component " << a;
           }
         }
       }
@@ -78,19 +96,72 @@ TEST(WallSweepTest, ContinuesAHydrostaticStressExactly) {
     p.density[k] = 1800.0;
     p.stress[k] = {hydrostatic(k), hydrostatic(k), hydrostatic(k), 0.0, 0.0, 0.0};
   }
-  const auto expected = wall_stress_reference(p, s);
+  const auto expected = wall_sweep_reference(p, s);
   for (const Isa isa : available_isas()) {
     const auto actual = swept(kernels_of(isa), p, s);
     int near = 0;
     for (std::size_t w = 0; w < expected.size(); ++w) {
-      if (expected[w][0].largest == 0.0) continue;
+      if (expected[w].stress[0].largest == 0.0) continue;
       ++near;
       // Stresses up to 6e4 Pa at 20 neighbours: 1e-11 of that.
-      ASSERT_NEAR(actual[yy][w], hydrostatic(p.soil_count + w), 6e-7)
+      ASSERT_NEAR(actual.stress[yy][w], hydrostatic(p.soil_count + w), 6e-7)
           << isa_name(isa) << " dummy " << w;
-      ASSERT_NEAR(actual[xy][w], 0.0, 6e-7);
+      ASSERT_NEAR(actual.stress[xy][w], 0.0, 6e-7);
     }
     ASSERT_EQ(near, 36);
+  }
+}
+
+TEST(WallSweepTest, ContinuesALinearVelocityExactlyUpToTheLimit) {
+  for (const int dimension : {2, 3}) {
+    const ReferenceSettings s = wall_settings(ReferenceSmoothing::cubic_spline, dimension);
+    ReferenceParticles p =
+        random_block({.dimension = dimension, .cells = dimension == 2 ? 12 : 6, .jitter = 0.1}, 5);
+    const std::array<double, 3> of_wall = p.velocity[p.soil_count];
+    const std::array<double, 3> rate{2.0, -1.5, dimension == 3 ? 0.5 : 0.0};
+    // Soil from 1.7 spacings above the face, over three times the depth of the first layer; the
+    // second layer is out of its reach.
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      if (p.is_wall(k)) continue;
+      p.position[k][1] += 1.3 * s.spacing;
+      for (std::size_t a = 0; a < 3; ++a)
+        p.velocity[k][a] = of_wall[a] + rate[a] * p.position[k][1];
+    }
+    for (const Isa isa : available_isas()) {
+      const Swept actual = swept(kernels_of(isa), p, s);
+      int first_layer = 0;
+      for (std::size_t w = 0; w < p.wall_count; ++w) {
+        const double y = p.position[p.soil_count + w][1];
+        if (y < -0.6 * s.spacing) continue;
+        ++first_layer;
+        for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+          // Velocities of about 1 m/s from a quotient of sums near the rim of the support.
+          ASSERT_NEAR(actual.velocity[a][w], of_wall[a] + rate[a] * y, 1e-10)
+              << isa_name(isa) << " " << dimension << "D dummy " << w << " component " << a;
+        }
+      }
+      ASSERT_EQ(first_layer, dimension == 2 ? 12 : 36);
+    }
+  }
+}
+
+TEST(WallSweepTest, SoilAtTheFaceSeesHalfItsVelocityComeBack) {
+  const ReferenceSettings s = wall_settings(ReferenceSmoothing::cubic_spline, 2);
+  ReferenceParticles p = random_block({.dimension = 2, .cells = 12, .jitter = 0.0}, 5);
+  const std::array<double, 3> of_wall = p.velocity[p.soil_count];
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (!p.is_wall(k)) p.velocity[k] = {of_wall[0] + 1.0, of_wall[1] - 2.0, 0.0};
+  }
+  for (const Isa isa : available_isas()) {
+    const Swept actual = swept(kernels_of(isa), p, s);
+    int touched = 0;
+    for (std::size_t w = 0; w < p.wall_count; ++w) {
+      if (p.position[p.soil_count + w][1] < -2.0 * s.spacing) continue;
+      ++touched;
+      ASSERT_NEAR(actual.velocity[0][w], of_wall[0] - 0.5, 1e-12) << isa_name(isa);
+      ASSERT_NEAR(actual.velocity[1][w], of_wall[1] + 1.0, 1e-12) << isa_name(isa);
+    }
+    ASSERT_EQ(touched, 24);
   }
 }
 

@@ -80,8 +80,6 @@ class PackedParticles {
       view.tension_records = tension_records_.data();
       view.tension = tension_.data();
     }
-    view.wall_records = faces_.data();
-    view.first_wall = first_wall_;
     view.neighbours = lists_.view();
     view.smoothing_length = settings_.smoothing_length;
     const kernels::SmoothingForm& form = form_of(settings_.smoothing);
@@ -105,6 +103,7 @@ class PackedParticles {
       view.gravity[a] = settings_.gravity[static_cast<std::size_t>(a)] * settings_.smoothing_length;
     }
     view.first_wall = first_wall_;
+    view.faces = faces_.data();
     return view;
   }
 
@@ -119,14 +118,10 @@ class PackedParticles {
     records_.assign(static_cast<std::size_t>(slots() * record_size), 0.0);
     tension_records_.assign(static_cast<std::size_t>(slots() * tension_record_size), 0.0);
     tension_.assign(static_cast<std::size_t>(slots()), 0);
-    faces_.assign(static_cast<std::size_t>((slots() - first_wall_) * wall_record_size), 0.0);
+    faces_.assign(static_cast<std::size_t>((first_image_ - first_wall_) * wall_record_size), 0.0);
     for (std::int64_t slot = 0; slot < slots(); ++slot) {
       records_[static_cast<std::size_t>(slot * record_size + record_x)] = far_position;
       records_[static_cast<std::size_t>(slot * record_size + record_density)] = 1.0;
-      if (slot >= first_wall_) {
-        faces_[static_cast<std::size_t>((slot - first_wall_) * wall_record_size + wall_distance)] =
-            1.0;
-      }
     }
     for (std::size_t k = 0; k < p.size(); ++k) {
       double* r = records_.data() + slot_of(k) * record_size;

@@ -40,13 +40,19 @@ double lattice_moment_of(const Numerics& numerics, int dimension) {
   return -sum * form.normalisation(dimension) * std::pow(ratio, dimension) / dimension;
 }
 
+bool is_plastic(const Material& material) { return material.model != kernels::LinearElastic::name; }
+bool any_plastic(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(), is_plastic);
+}
+
 ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& table) {
   const Numerics& n = scene.numerics;
   ChosenKernels chosen;
   chosen.table = &table;
   chosen.artificial_stress = n.artificial_stress > 0.0;
   chosen.viscosity = n.viscosity_alpha > 0.0 || n.viscosity_beta > 0.0;
-  chosen.diffusion = n.stress_diffusion > 0.0;
+  // It quiets soil that flows; elastic bodies do not, and in them it feeds noise (`disc_rotation`).
+  chosen.diffusion = n.stress_diffusion > 0.0 && any_plastic(scene);
   chosen.correction = n.gradient_correction || chosen.diffusion;
   const auto sweep = [&](kernels::Terms terms, bool correction) {
     const bool force = terms != kernels::Terms::gradient;
@@ -69,9 +75,7 @@ std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) 
     if (wanted) used.insert(used.end(), fields);
   };
   const Numerics& n = scene.numerics;
-  const bool plastic =
-      std::any_of(scene.materials.begin(), scene.materials.end(),
-                  [](const Material& m) { return m.model != kernels::LinearElastic::name; });
+  const bool plastic = any_plastic(scene);
   add(n.integrator == Integrator::verlet,
       {Field::previous_velocity, Field::previous_density, Field::previous_stress});
   add(plastic, {Field::accumulated_plastic_strain});
@@ -195,7 +199,7 @@ kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Mat
   c.density_minimum = n.density_minimum * material.density;
   c.density_maximum = n.density_maximum * material.density;
   c.smoothing_length = n.smoothing_ratio * scene.spacing;
-  c.diffusion_cap = n.stress_diffusion;
+  c.diffusion_cap = is_plastic(material) ? n.stress_diffusion : 0.0;
   c.diffusion_shear_gate = n.diffusion_shear_gate;
   std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
   const double poisson = material.parameters[1];

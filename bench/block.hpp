@@ -16,6 +16,7 @@ struct BlockOptions {
   Numerics numerics = preset("paper");
   int threads = 1;
   std::string isa;
+  bool elastic = false;  ///< no plasticity
 };
 
 inline Scene block_scene(const BlockOptions& options) {
@@ -30,6 +31,7 @@ inline Scene block_scene(const BlockOptions& options) {
                       "drucker_prager",
                       2000.0,
                       {100e6, 0.3, 10e3, 0.35, 0.15, options.dimension == 2 ? 0.0 : 1.0}}};
+  if (options.elastic) scene.materials = {{"rock", "linear_elastic", 2000.0, {100e6, 0.3}}};
   const double side =
       std::round(std::pow(static_cast<double>(options.particles), 1.0 / options.dimension));
   scene.bodies = {{0, Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};

@@ -88,7 +88,7 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   const auto particles = static_cast<double>(state.particles.count());
   const auto pairs = static_cast<double>(true_pairs(state));
   const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, false,
-                                sweep.terms != kernels::Terms::force && state.kernels.correction});
+                                state.kernels.correction, state.kernels.diffusion});
   const double peak = fma_peak(state.kernels.table->isa) * options.threads;
   for (auto _ : bench) sweep.run(state);
   const auto per_second = [&](double items) {

@@ -14,14 +14,14 @@ inline int pair_flops(const kernels::SweepVariant& variant) {
   const bool gradient = variant.terms != kernels::Terms::force;
   const bool force = variant.terms != kernels::Terms::gradient;
   const bool viscosity = force && variant.viscosity;
-  const bool correction = gradient && variant.correction;
-  int flops = 3 * d + 16;                               // offset, 1/r, slope of W, V_j grad W / r
-  if (viscosity || correction) flops += 4;              // regularised denominator
-  flops += 4 * d - 1;                                   // relative velocity, approach, V_j grad W
-  if (gradient) flops += 3 + 2 * d * d;                 // density rate, velocity gradient
-  if (correction) flops += d * (d + 1);                 // moment
-  if (correction) flops += 9 + 2 * components + 2 * d;  // stress diffusion
-  if (force) flops += d + 2 * d * d;                    // momentum
+  const bool diffusion = gradient && variant.diffusion;
+  int flops = 3 * d + 16;                  // offset, 1/r, slope of W, V_j grad W / r
+  if (viscosity || diffusion) flops += 4;  // regularised denominator
+  flops += 4 * d - 1;                      // relative velocity, approach, V_j grad W
+  if (gradient) flops += 3 + 2 * d * d;    // density rate, velocity gradient
+  if (gradient && variant.correction) flops += d * (d + 1);  // moment
+  if (diffusion) flops += 9 + 2 * components + 2 * d;        // stress diffusion
+  if (force) flops += d + 2 * d * d;                         // momentum
   if (viscosity) flops += 9 + 2 * d;
   return flops;
 }

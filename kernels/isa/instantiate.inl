@@ -14,27 +14,44 @@ namespace {
 
 using Arch = SCARP_ARCH;
 
-template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection>
+template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection,
+          bool UseDiffusion>
 constexpr CompiledSweep compiled{
-    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection},
-    &pair_sweep<Arch, double,
-                SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection>>};
+    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion},
+    &pair_sweep<
+        Arch, double,
+        SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion>>};
 
 constexpr bool on = true, off = false;
 constexpr CompiledSweep sweeps[] = {
 #if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
-    compiled<2, Terms::fused, off, off, off>,   compiled<2, Terms::fused, off, off, on>,
-    compiled<2, Terms::fused, on, off, off>,    compiled<2, Terms::fused, on, off, on>,
-    compiled<2, Terms::fused, on, on, off>,     compiled<2, Terms::gradient, off, off, off>,
-    compiled<2, Terms::force, off, off, off>,   compiled<2, Terms::force, on, off, off>,
-    compiled<3, Terms::fused, off, off, off>,   compiled<3, Terms::fused, off, off, on>,
-    compiled<3, Terms::fused, on, off, off>,    compiled<3, Terms::fused, on, off, on>,
-    compiled<3, Terms::fused, on, on, off>,     compiled<3, Terms::gradient, off, off, off>,
-    compiled<3, Terms::force, off, off, off>,   compiled<3, Terms::force, on, off, off>,
+    compiled<2, Terms::fused, off, off, off, off>,
+    compiled<2, Terms::fused, off, off, on, on>,
+    compiled<2, Terms::fused, on, off, off, off>,
+    compiled<2, Terms::fused, on, off, on, off>,
+    compiled<2, Terms::fused, on, off, on, on>,
+    compiled<2, Terms::fused, on, on, off, off>,
+    compiled<2, Terms::gradient, off, off, off, off>,
+    compiled<2, Terms::gradient, off, off, on, off>,
+    compiled<2, Terms::force, off, off, off, off>,
+    compiled<2, Terms::force, on, off, off, off>,
+    compiled<3, Terms::fused, off, off, off, off>,
+    compiled<3, Terms::fused, off, off, on, on>,
+    compiled<3, Terms::fused, on, off, off, off>,
+    compiled<3, Terms::fused, on, off, on, off>,
+    compiled<3, Terms::fused, on, off, on, on>,
+    compiled<3, Terms::fused, on, on, off, off>,
+    compiled<3, Terms::gradient, off, off, off, off>,
+    compiled<3, Terms::gradient, off, off, on, off>,
+    compiled<3, Terms::force, off, off, off, off>,
+    compiled<3, Terms::force, on, off, off, off>,
 #endif
-    compiled<2, Terms::fused, on, on, on>,      compiled<2, Terms::gradient, off, off, on>,
-    compiled<2, Terms::force, on, on, off>,     compiled<3, Terms::fused, on, on, on>,
-    compiled<3, Terms::gradient, off, off, on>, compiled<3, Terms::force, on, on, off>,
+    compiled<2, Terms::fused, on, on, on, on>,
+    compiled<2, Terms::gradient, off, off, on, on>,
+    compiled<2, Terms::force, on, on, off, off>,
+    compiled<3, Terms::fused, on, on, on, on>,
+    compiled<3, Terms::gradient, off, off, on, on>,
+    compiled<3, Terms::force, on, on, off, off>,
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ PairSweep<double> KernelTable::sweep_for(const SweepVariant& wanted) const {
     const bool covers = have.dimension == wanted.dimension && have.terms == wanted.terms &&
                         have.viscosity >= wanted.viscosity &&
                         have.artificial_stress >= wanted.artificial_stress &&
-                        have.correction >= wanted.correction;
+                        have.correction >= wanted.correction && have.diffusion >= wanted.diffusion;
     if (covers) return candidate.sweep;
   }
   return nullptr;

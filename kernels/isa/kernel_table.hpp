@@ -20,7 +20,8 @@ struct SweepVariant {
   Terms terms = Terms::fused;
   bool viscosity = true;
   bool artificial_stress = true;
-  bool correction = true;  ///< gradient moment and stress diffusion
+  bool correction = true;  ///< moment of the gradient correction
+  bool diffusion = true;   ///< stress diffusion
   friend bool operator==(const SweepVariant&, const SweepVariant&) = default;
 };
 

@@ -119,7 +119,7 @@ void sweep_in_order(benchmark::State& bench, const BlockOptions& options, Order 
   for (auto _ : bench) sweep_all(state);
   count(bench, state);
   bench.counters["useful_lane_share"] =
-      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.table->cluster_size);
+      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.cluster_size);
 }
 
 }  // namespace

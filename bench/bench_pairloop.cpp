@@ -101,7 +101,7 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   bench.counters["peak_share"] = per_second(pairs * flops / peak);
   bench.counters["peak_gflops"] = 1e-9 * peak;
   bench.counters["useful_lane_share"] =
-      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.table->cluster_size);
+      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.cluster_size);
   bench.counters["bytes_per_particle"] =
       static_cast<double>(state.particles.bytes() + state.records.bytes() + state.lists.bytes()) /
       particles;

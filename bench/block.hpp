@@ -71,7 +71,7 @@ inline State block_state(const BlockOptions& options) {
 /// own entry left out.
 inline std::int64_t true_pairs(State& state) {
   const kernels::NeighbourView lists = state.lists.view();
-  const int size = state.kernels.table->cluster_size, dimension = state.scene.dimension;
+  const int size = state.kernels.cluster_size, dimension = state.scene.dimension;
   const double support = 2.0;
   std::int64_t pairs = 0;
   for (std::int64_t cluster = 0; cluster < state.lists.clusters(); ++cluster) {

@@ -49,6 +49,8 @@ ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& tab
   const Numerics& n = scene.numerics;
   ChosenKernels chosen;
   chosen.table = &table;
+  chosen.cluster_size =
+      n.precision == Precision::mixed ? table.mixed_cluster_size : table.cluster_size;
   chosen.artificial_stress = n.artificial_stress > 0.0;
   chosen.viscosity = n.viscosity_alpha > 0.0 || n.viscosity_beta > 0.0;
   // It quiets soil that flows; elastic bodies do not, and in them it feeds noise (`disc_rotation`).
@@ -57,9 +59,14 @@ ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& tab
   const auto sweep = [&](kernels::Terms terms) {
     const bool force = terms != kernels::Terms::gradient;
     const bool gradient = terms != kernels::Terms::force;
-    return table.sweep_for({scene.dimension, terms, force && chosen.viscosity,
-                            force && chosen.artificial_stress, gradient && chosen.correction,
-                            gradient && chosen.diffusion});
+    const kernels::SweepVariant wanted{scene.dimension,
+                                       terms,
+                                       force && chosen.viscosity,
+                                       force && chosen.artificial_stress,
+                                       gradient && chosen.correction,
+                                       gradient && chosen.diffusion};
+    if (n.precision == Precision::mixed) return ChosenSweep{nullptr, table.mixed_sweep_for(wanted)};
+    return ChosenSweep{table.sweep_for(wanted), nullptr};
   };
   if (n.integrator == Integrator::verlet) chosen.fused = sweep(kernels::Terms::fused);
   chosen.gradient = sweep(kernels::Terms::gradient);

@@ -16,14 +16,14 @@ using Arch = SCARP_ARCH;
 
 template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection,
           bool UseDiffusion>
-constexpr CompiledSweep compiled{
+constexpr CompiledSweep<double> compiled{
     {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion},
     &pair_sweep<
         Arch, double,
         SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion>>};
 
 constexpr bool on = true, off = false;
-constexpr CompiledSweep sweeps[] = {
+constexpr CompiledSweep<double> sweeps[] = {
 #if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
     compiled<2, Terms::fused, off, off, off, off>,
     compiled<2, Terms::fused, off, off, on, on>,
@@ -54,6 +54,35 @@ constexpr CompiledSweep sweeps[] = {
     compiled<3, Terms::force, on, on, off, off>,
 };
 
+template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection,
+          bool UseDiffusion>
+constexpr CompiledSweep<float> in_float{
+    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion},
+    &pair_sweep<
+        Arch, float,
+        SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion>>};
+
+constexpr CompiledSweep<float> mixed[] = {
+#if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
+    in_float<2, Terms::fused, on, off, off, off>,
+    in_float<2, Terms::fused, on, on, off, off>,
+    in_float<2, Terms::gradient, off, off, off, off>,
+    in_float<2, Terms::gradient, off, off, on, off>,
+    in_float<2, Terms::force, on, off, off, off>,
+    in_float<3, Terms::fused, on, off, off, off>,
+    in_float<3, Terms::fused, on, on, off, off>,
+    in_float<3, Terms::gradient, off, off, off, off>,
+    in_float<3, Terms::gradient, off, off, on, off>,
+    in_float<3, Terms::force, on, off, off, off>,
+#endif
+    in_float<2, Terms::fused, on, on, on, on>,
+    in_float<2, Terms::gradient, off, off, on, on>,
+    in_float<2, Terms::force, on, on, off, off>,
+    in_float<3, Terms::fused, on, on, on, on>,
+    in_float<3, Terms::gradient, off, off, on, on>,
+    in_float<3, Terms::force, on, on, off, off>,
+};
+
 }  // namespace
 
 const KernelTable& SCARP_TABLE() {
@@ -61,7 +90,9 @@ const KernelTable& SCARP_TABLE() {
       SCARP_ISA,
       SCARP_ISA_NAME,
       cluster_size<double, Arch>,
+      cluster_size<float, Arch>,
       sweeps,
+      mixed,
       {&wall_sweep<Arch, double, 2>, &wall_sweep<Arch, double, 3>},
       {{{&advance_verlet<Arch, 2, false>, &advance_verlet<Arch, 2, true>},
         {&advance_verlet<Arch, 3, false>, &advance_verlet<Arch, 3, true>}}},

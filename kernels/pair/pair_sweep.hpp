@@ -137,7 +137,8 @@ class ClusterSweep {
     Pair pair;
     B squared(closest<Real>);
     unrolled<dim>([&](auto a) SCARP_LAMBDA {
-      pair.offset[a] = i_.position[a] - select_(p + record_x + a, r + record_x + a);
+      pair.offset[a] =
+          position_difference<Arch>(i_.position[a], select_(p + record_x + a, r + record_x + a));
       squared = xsimd::fma(pair.offset[a], pair.offset[a], squared);
     });
     pair.distance_squared = squared;

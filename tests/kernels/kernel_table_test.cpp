@@ -42,7 +42,7 @@ TEST(KernelTableTest, EveryRequestIsCoveredByTheSameOrMore) {
               const PairSweep<double> sweep = table.sweep_for(wanted);
               ASSERT_NE(sweep, nullptr);
               const SweepVariant* have = nullptr;
-              for (const CompiledSweep& compiled : table.sweeps) {
+              for (const CompiledSweep<double>& compiled : table.sweeps) {
                 if (compiled.sweep == sweep) have = &compiled.variant;
               }
               ASSERT_NE(have, nullptr);
@@ -53,7 +53,7 @@ TEST(KernelTableTest, EveryRequestIsCoveredByTheSameOrMore) {
               EXPECT_GE(have->correction, correction);
               EXPECT_GE(have->diffusion, diffusion);
               // Nothing more special that covers it was passed over.
-              for (const CompiledSweep& compiled : table.sweeps) {
+              for (const CompiledSweep<double>& compiled : table.sweeps) {
                 if (compiled.variant == wanted) {
                   EXPECT_EQ(compiled.sweep, sweep);
                 }

@@ -60,6 +60,10 @@ Body modern_body() {
   body.numerics.integrator = Integrator::verlet;  // for the fused sweep
   return body;
 }
+Body in_mixed(Body body) {
+  body.numerics.precision = Precision::mixed;
+  return body;
+}
 
 void put_in_tension(State& state) {
   for (const kernels::Component c : {kernels::xx, kernels::yy, kernels::zz}) {
@@ -89,7 +93,9 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   const auto pairs = static_cast<double>(true_pairs(state));
   const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, false,
                                 state.kernels.correction, state.kernels.diffusion});
-  const double peak = fma_peak(state.kernels.table->isa) * options.threads;
+  // Twice as many lanes in single precision, at the same rate.
+  const double lanes = state.scene.numerics.precision == Precision::mixed ? 2.0 : 1.0;
+  const double peak = lanes * fma_peak(state.kernels.table->isa) * options.threads;
   for (auto _ : bench) sweep.run(state);
   const auto per_second = [&](double items) {
     return benchmark::Counter(items, benchmark::Counter::kIsIterationInvariantRate);
@@ -103,14 +109,16 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   bench.counters["useful_lane_share"] =
       pairs / (static_cast<double>(state.lists.entries()) * state.kernels.cluster_size);
   bench.counters["bytes_per_particle"] =
-      static_cast<double>(state.particles.bytes() + state.records.bytes() + state.lists.bytes()) /
+      static_cast<double>(state.particles.bytes() + state.records.bytes() +
+                          state.narrow_records.bytes() + state.lists.bytes()) /
       particles;
 }
 
 void add(const Sweep& sweep, const Body& body, BlockOptions options) {
   options.numerics = body.numerics;
-  const std::string block = fmt::format("{}d/{}/double/{}/{}/threads:{}", options.dimension,
-                                        body.name, options.isa, options.particles, options.threads);
+  const std::string block = fmt::format("{}d/{}/{}/{}/{}/threads:{}", options.dimension, body.name,
+                                        precision_name(body.numerics.precision), options.isa,
+                                        options.particles, options.threads);
   benchmark::RegisterBenchmark(
       fmt::format("{}/{}", sweep.name, block).c_str(),
       [=](benchmark::State& bench) { run(bench, sweep, options, body.tension, block); })
@@ -122,6 +130,7 @@ void add(const Sweep& sweep, const Body& body, BlockOptions options) {
 void add_core(const BlockOptions& options) {
   const Body body = plain_body(SmoothingFunction::yang_liu);
   for (const Sweep& sweep : {fused, gradient, force}) add(sweep, body, options);
+  add(fused, in_mixed(body), options);
 }
 
 void add_bodies(const BlockOptions& options) {
@@ -133,6 +142,8 @@ void add_bodies(const BlockOptions& options) {
     add(fused, plain_body(smoothing), options);
   }
   for (const Sweep& sweep : {fused, gradient, force}) add(sweep, modern_body(), options);
+  add(fused, in_mixed(tensile_body(true)), options);
+  for (const Sweep& sweep : {gradient, force}) add(sweep, in_mixed(modern_body()), options);
 }
 
 }  // namespace

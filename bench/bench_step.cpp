@@ -98,8 +98,12 @@ void add_all(bool /*full*/) {
     for (int threads = 1; threads <= default_threads(); threads *= 2) {
       for (const int dimension : {2, 3}) {
         const std::int64_t particles = dimension == 2 ? 90'000 : 176'000;
-        add_block(fmt::format("block/{}d/{}", dimension, name),
-                  {dimension, particles, preset(name), threads, {}});
+        for (const Precision precision : {Precision::real64, Precision::mixed}) {
+          BlockOptions options{dimension, particles, preset(name), threads, {}};
+          options.numerics.precision = precision;
+          add_block(fmt::format("block/{}d/{}/{}", dimension, name, precision_name(precision)),
+                    options);
+        }
       }
       for (const RealState& state : {failed_slope(1.0), failed_slope(0.25), run_out_2d(5e-3),
                                      run_out_2d(1.25e-3), run_out_3d(12e-3)}) {

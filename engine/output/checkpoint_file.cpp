@@ -6,6 +6,7 @@
 
 #include <array>
 #include <fstream>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -32,12 +33,13 @@ std::string ending(std::string_view image) {
 }
 
 std::string checked_image(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = stream.tellg();
-  if (!stream || size < 0) refuse(path, "cannot be read. Try to check its name and rights.");
+  std::ifstream stream(path, std::ios::binary);
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!stream || error) refuse(path, "cannot be read. Try to check its name and rights.");
   if (size == 0) refuse(path, "is empty. Try the checkpoint before it.");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  stream.seekg(0).read(image.data(), size);
+  std::string image(size, '\0');
+  stream.read(image.data(), static_cast<std::streamsize>(size));
   if (!stream) refuse(path, "cannot be read to its end. Try the checkpoint before it.");
   const std::size_t length = ending("").size();
   const std::size_t kept = image.size() < length ? 0 : image.size() - length;

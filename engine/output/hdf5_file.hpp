@@ -48,8 +48,9 @@ class QuietErrors {
 /// HDF5's own words for the last failure: the innermost entry of its error stack.
 std::string last_reason();
 
-/// `plain`: contiguous data in the oldest format, which every reader takes. `summed`: metadata and
-/// data with checksums (format of HDF5 1.10, fletcher32).
+/// `plain`: contiguous data in the oldest format, which every reader takes. `summed`: checksums
+/// over metadata (format of HDF5 1.8; later ones mark a file in memory as open) and data
+/// (fletcher32, small sets as part of the metadata).
 enum class Layout { plain, summed };
 
 /// Built in memory; PATH appears, complete, with `commit()`. Without it nothing stays behind. In
@@ -83,7 +84,7 @@ class NewFile {
   void attribute(const std::string& object, const char* name, hid_t type, const Handle& space,
                  const void* data);
   Handle create_in_memory() const;
-  Handle storage_of(const Shape& shape, bool empty, std::string_view name) const;
+  Handle storage_of(const Shape& shape, std::size_t bytes, std::string_view name) const;
   Handle checked(hid_t id, Handle::Close close, std::string_view what) const;
   void check(herr_t status, std::string_view what) const;
   [[noreturn]] void fail(std::string_view what) const;

@@ -168,7 +168,9 @@ class ResumeTest(unittest.TestCase):
                 process = self.start(*command)
                 time.sleep(chance.uniform(0.0, 0.7 * takes))
                 process.kill()
-                if process.wait(60) == 0:
+                code = process.wait(60)
+                self.assertIn(code, (0, -signal.SIGKILL), process.stderr.read())
+                if code == 0:
                     break  # reached its end first
                 survived += 1
                 if not (run / "run.json").exists():
@@ -241,6 +243,8 @@ class ResumeTest(unittest.TestCase):
         self.whole()
         (self.folder / "slide.toml").write_text(SLIDE.replace("PRESET", self.preset).replace("2 kPa", "3 kPa"))
         process = self.start("run", "slide.toml", "-o", "whole", "-q")
+        while json.loads((self.folder / "whole" / "run.json").read_text())["text"].find("3 kPa") < 0:
+            time.sleep(0.002)
         self.wait_for_checkpoints("whole", 2)
         process.kill()
         process.wait()

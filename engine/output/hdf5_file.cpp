@@ -147,7 +147,6 @@ std::string NewFile::image() {
   // Of H5Fget_file_image only the size: it zeroes four bytes where the oldest format has its flags.
   const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
   check(size < 0 ? -1 : 0, "measuring it");
-  // Copied by hand: H5Fget_file_image would zero four bytes where only the oldest format has flags.
   void* memory = nullptr;
   check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &memory), "copying it");
   std::string image(*static_cast<const char* const*>(memory), static_cast<std::size_t>(size));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The one table of particle fields: it drives allocation, sorting and output.
+/// The one table of particle fields: it drives allocation, sorting, snapshots and output.
 #pragma once
 
 #include <array>

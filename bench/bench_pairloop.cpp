@@ -1,118 +1,171 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Pair sweeps on the free block: fused and each half, by dimension, smoothing function,
-/// instruction set, size and threads. The default set takes about two minutes; --full adds 1M
-/// particles and every option.
+/// Pair sweeps on the free block: fused and each half, by dimension, smoothing function, artificial
+/// stress, instruction set, size and threads. The default set takes about two minutes; --full adds
+/// sizes up to 4M particles and every combination.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "bench/bench_main.hpp"
 #include "bench/block.hpp"
+#include "bench/fma_peak.hpp"
+#include "bench/pair_flops.hpp"
+#include "engine/parallel.hpp"
 #include "kernels/smoothing/list.hpp"
 
 namespace scarp::bench {
 namespace {
 
-struct Variant {
+struct Sweep {
   const char* name;
-  void (*sweep)(State&);
+  void (*run)(State&);
+  kernels::Terms terms;
 };
-constexpr Variant fused{"fused", sweep_all};
-constexpr Variant gradient{"gradient", sweep_gradient};
-constexpr Variant force{"force", sweep_force};
+constexpr Sweep fused{"fused", sweep_all, kernels::Terms::fused};
+constexpr Sweep gradient{"gradient", sweep_gradient, kernels::Terms::gradient};
+constexpr Sweep force{"force", sweep_force, kernels::Terms::force};
+
+/// What a benchmark runs on: a block, in tension throughout or in compression, under a name.
+struct Body {
+  std::string name;
+  Numerics numerics;
+  bool tension = false;
+};
+
+Body plain_body(SmoothingFunction smoothing) {
+  Body body{kernels::smoothing_functions[static_cast<std::size_t>(smoothing)].name,
+            preset("paper")};
+  body.numerics.smoothing = smoothing;
+  body.numerics.artificial_stress = 0.0;
+  return body;
+}
+Body inviscid_body() {
+  Body body = plain_body(SmoothingFunction::yang_liu);
+  body.name += "-viscosity";
+  body.numerics.viscosity_alpha = body.numerics.viscosity_beta = 0.0;
+  return body;
+}
+/// Artificial stress compiled in: skipped in compression, at work everywhere in tension.
+Body tensile_body(bool tension) {
+  return {tension ? "yang_liu+artificial_stress:always" : "yang_liu+artificial_stress:auto",
+          preset("paper"), tension};
+}
+Body modern_body() {
+  Body body{"modern", preset("modern")};
+  body.numerics.integrator = Integrator::verlet;  // for the fused sweep
+  return body;
+}
+Body in_mixed(Body body) {
+  body.numerics.precision = Precision::mixed;
+  return body;
+}
+
+void put_in_tension(State& state) {
+  for (const kernels::Component c : {kernels::xx, kernels::yy, kernels::zz}) {
+    double* stress = state.particles.component(Field::stress, c);
+    std::fill(stress, stress + state.particles.slots(), 1e4);
+  }
+}
 
 /// One block is kept: runs that differ only in the sweep share it.
-State& cached_block(const BlockOptions& options, const std::string& key) {
+State& cached_block(const BlockOptions& options, bool tension, const std::string& key) {
   static std::string present;
   static std::unique_ptr<State> block;
   if (present != key) {
+    block.reset();
     block = std::make_unique<State>(block_state(options));
+    if (tension) put_in_tension(*block);
+    refresh_neighbours(*block);
     present = key;
   }
   return *block;
 }
 
-void run(benchmark::State& bench, const Variant& variant, const BlockOptions& options,
+void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& options, bool tension,
          const std::string& key) {
-  State& state = cached_block(options, key);
+  State& state = cached_block(options, tension, key);
   const auto particles = static_cast<double>(state.particles.count());
   const auto pairs = static_cast<double>(true_pairs(state));
-  for (auto _ : bench) variant.sweep(state);
+  const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, false,
+                                state.kernels.correction, state.kernels.diffusion});
+  // Twice as many lanes in single precision, at the same rate.
+  const double lanes = state.scene.numerics.precision == Precision::mixed ? 2.0 : 1.0;
+  const double peak = lanes * fma_peak(state.kernels.table->isa) * options.threads;
+  for (auto _ : bench) sweep.run(state);
   const auto per_second = [&](double items) {
     return benchmark::Counter(items, benchmark::Counter::kIsIterationInvariantRate);
   };
   bench.counters["pairs_per_second"] = per_second(pairs);
   bench.counters["particle_steps_per_second"] = per_second(particles);
   bench.counters["pairs_per_particle"] = pairs / particles;
+  bench.counters["flop_per_pair"] = flops;
+  bench.counters["peak_share"] = per_second(pairs * flops / peak);
+  bench.counters["peak_gflops"] = 1e-9 * peak;
   bench.counters["useful_lane_share"] =
-      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.table->cluster_size);
+      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.cluster_size);
   bench.counters["bytes_per_particle"] =
-      static_cast<double>(state.particles.bytes() + state.records.bytes() + state.lists.bytes()) /
+      static_cast<double>(state.particles.bytes() + state.records.bytes() +
+                          state.narrow_records.bytes() + state.lists.bytes()) /
       particles;
 }
 
-void add(const Variant& variant, const BlockOptions& options, const std::string& body) {
-  const std::string block = fmt::format("{}d/{}/double/{}/{}/threads:{}", options.dimension, body,
-                                        options.isa, options.particles, options.threads);
+void add(const Sweep& sweep, const Body& body, BlockOptions options) {
+  options.numerics = body.numerics;
+  const std::string block = fmt::format("{}d/{}/{}/{}/{}/threads:{}", options.dimension, body.name,
+                                        precision_name(body.numerics.precision), options.isa,
+                                        options.particles, options.threads);
   benchmark::RegisterBenchmark(
-      fmt::format("{}/{}", variant.name, block).c_str(),
-      [=](benchmark::State& bench) { run(bench, variant, options, block); })
+      fmt::format("{}/{}", sweep.name, block).c_str(),
+      [=](benchmark::State& bench) { run(bench, sweep, options, body.tension, block); })
       ->UseRealTime()
       ->Unit(benchmark::kMillisecond);
 }
 
+/// What every machine and size is measured by: the body of the targets in the README.
+void add_core(const BlockOptions& options) {
+  const Body body = plain_body(SmoothingFunction::yang_liu);
+  for (const Sweep& sweep : {fused, gradient, force}) add(sweep, body, options);
+  add(fused, in_mixed(body), options);
+}
+
+void add_bodies(const BlockOptions& options) {
+  add(fused, inviscid_body(), options);
+  add(fused, tensile_body(false), options);
+  add(fused, tensile_body(true), options);
+  for (const SmoothingFunction smoothing :
+       {SmoothingFunction::cubic_spline, SmoothingFunction::wendland_c2}) {
+    add(fused, plain_body(smoothing), options);
+  }
+  for (const Sweep& sweep : {fused, gradient, force}) add(sweep, modern_body(), options);
+  add(fused, in_mixed(tensile_body(true)), options);
+  for (const Sweep& sweep : {gradient, force}) add(sweep, in_mixed(modern_body()), options);
+}
+
+}  // namespace
+
 void add_all(bool full) {
+  const int all_threads = default_threads();
   std::vector<std::int64_t> sizes{10'000, 176'000};
-  if (full) sizes.push_back(1'000'000);
+  if (full) sizes = {10'000, 100'000, 176'000, 1'000'000, 4'000'000};
   for (const int dimension : {3, 2}) {
     for (const std::int64_t particles : sizes) {
-      for (const int threads : {1, 2}) {
-        for (const kernels::Isa isa : kernels::available_isas()) {
-          BlockOptions options{dimension, particles, preset("paper"), threads,
-                               kernels::isa_name(isa)};
-          const bool best = isa == kernels::available_isas().back();
+      for (const kernels::Isa isa : kernels::available_isas()) {
+        const bool best = isa == kernels::available_isas().back();
+        for (int threads = 1; threads <= all_threads; threads *= 2) {
           if (!full && !best && (threads > 1 || particles > 10'000)) continue;
-          options.numerics.artificial_stress = 0.0;
-          for (std::size_t s = 0; s < kernels::smoothing_functions.size(); ++s) {
-            options.numerics.smoothing = static_cast<SmoothingFunction>(s);
-            const std::string name = kernels::smoothing_functions[s].name;
-            const bool plain = options.numerics.smoothing == SmoothingFunction::yang_liu;
-            if (!full && !plain) continue;
-            add(fused, options, name);
-            if (!plain) continue;
-            add(gradient, options, name);
-            add(force, options, name);
-          }
-          if (!best) continue;
-          BlockOptions with = options;
-          with.numerics = preset("paper");
-          add(fused, with, "yang_liu+artificial_stress");
-          with.numerics = preset("modern");
-          with.numerics.integrator = Integrator::verlet;  // for the fused sweep
-          add(fused, with, "modern");
+          const BlockOptions options{dimension, particles, preset("paper"), threads,
+                                     kernels::isa_name(isa)};
+          add_core(options);
+          if (full || (best && threads == 1)) add_bodies(options);
         }
       }
     }
   }
 }
 
-}  // namespace
 }  // namespace scarp::bench
-
-int main(int argc, char** argv) {
-  const auto end =
-      std::remove_if(argv + 1, argv + argc, [](char* a) { return std::strcmp(a, "--full") == 0; });
-  const bool full = end != argv + argc;
-  argc = static_cast<int>(end - argv);
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  scarp::bench::add_all(full);
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
-}

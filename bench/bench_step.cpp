@@ -1,93 +1,118 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The whole step, lists and walls included: on the free block, and on the paper's slope after
-/// failure.
+/// The whole step, lists and walls included: on the free block, on states that occur in runs, and
+/// with one piece of physics more or less than a preset has.
 #include <benchmark/benchmark.h>
 
-#include <map>
-#include <memory>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "bench/bench_main.hpp"
 #include "bench/block.hpp"
-#include "engine/scene/scene_reader.hpp"
+#include "bench/real_states.hpp"
+#include "engine/parallel.hpp"
 
 namespace scarp::bench {
 namespace {
 
-void count(benchmark::State& bench, std::int64_t particles, std::uint64_t rebuilds) {
-  bench.counters["particle_steps_per_second"] = benchmark::Counter(
-      static_cast<double>(particles), benchmark::Counter::kIsIterationInvariantRate);
+void count(benchmark::State& bench, const Simulation& simulation, std::uint64_t rebuilds_before) {
+  const auto particles = static_cast<double>(simulation.soil_count());
+  const auto rebuilds = static_cast<double>(simulation.rebuild_count() - rebuilds_before);
+  bench.counters["particle_steps_per_second"] =
+      benchmark::Counter(particles, benchmark::Counter::kIsIterationInvariantRate);
+  bench.counters["particles"] = particles;
   bench.counters["steps_per_rebuild"] =
-      rebuilds > 0 ? static_cast<double>(bench.iterations()) / static_cast<double>(rebuilds) : 0.0;
+      rebuilds > 0.0 ? static_cast<double>(bench.iterations()) / rebuilds : 0.0;
+  bench.counters["bytes_per_particle"] = static_cast<double>(simulation.memory_bytes()) / particles;
 }
 
 /// Steps the block as the engine does; it expands freely from its initial pressure.
 void step_block(benchmark::State& bench, const BlockOptions& options) {
   Simulation simulation(block_scene(options), {options.threads, options.isa});
-  for (auto _ : bench) simulation.step();
-  count(bench, static_cast<std::int64_t>(simulation.soil_count()), simulation.rebuild_count());
-  bench.counters["bytes_per_particle"] =
-      static_cast<double>(simulation.memory_bytes()) / static_cast<double>(simulation.soil_count());
-}
-
-/// The slope at SRF 1.6, three seconds after the strength was cut; made once per spacing and
-/// preset.
-Simulation& failed_slope(double spacing, const std::string& preset_name, int threads) {
-  static std::map<std::string, std::unique_ptr<Simulation>> made;
-  auto& slope = made[fmt::format("{}/{}/{}", spacing, preset_name, threads)];
-  if (slope) return *slope;
-  Scene scene = read_scene(SCARP_SLOPE_SCENE, {.preset = preset_name, .spacing = spacing});
-  scene.output.energy = false;
-  scene.stages[1].strength_reduction = 1.6;
-  scene.stages[1].duration = 1e3;
-  scene.stages[1].until = StageEnd::duration;
-  slope = std::make_unique<Simulation>(scene, RunOptions{threads, {}});
-  while (slope->stage_index() == 0 || slope->last_step().stage_time < 3.0) slope->step();
-  return *slope;
-}
-
-void step_slope(benchmark::State& bench, double spacing, const std::string& preset_name,
-                int threads) {
-  Simulation simulation = failed_slope(spacing, preset_name, threads).clone();
+  simulation.step();  // first touch and first lists
   const std::uint64_t before = simulation.rebuild_count();
   for (auto _ : bench) simulation.step();
-  count(bench, static_cast<std::int64_t>(simulation.soil_count()),
-        simulation.rebuild_count() - before);
+  count(bench, simulation, before);
 }
 
-void add_all() {
+void step_real(benchmark::State& bench, const RealState& state, const std::string& preset_name,
+               int threads) {
+  Simulation simulation = made(state, preset_name, threads).clone();
+  const std::uint64_t before = simulation.rebuild_count();
+  for (auto _ : bench) simulation.step();
+  count(bench, simulation, before);
+}
+
+void add(const std::string& name, const std::function<void(benchmark::State&)>& run) {
+  benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+
+void add_block(const std::string& body, const BlockOptions& options) {
+  add(fmt::format("step/{}/{}/threads:{}", body, options.particles, options.threads),
+      [=](benchmark::State& bench) { step_block(bench, options); });
+}
+
+/// What a piece of physics costs: `with_without/<preset>/` as it stands, then with one choice
+/// changed.
+void add_with_and_without() {
+  struct Change {
+    const char* name;
+    void (*apply)(BlockOptions&);
+  };
+  const std::vector<Change> of_paper{
+      {"as_it_is", [](BlockOptions&) {}},
+      {"2d", [](BlockOptions& o) { o.dimension = 2; }},
+      {"no_artificial_stress", [](BlockOptions& o) { o.numerics.artificial_stress = 0.0; }},
+      {"no_viscosity",
+       [](BlockOptions& o) { o.numerics.viscosity_alpha = o.numerics.viscosity_beta = 0.0; }},
+      {"gradient_correction", [](BlockOptions& o) { o.numerics.gradient_correction = true; }},
+      {"elastic", [](BlockOptions& o) { o.elastic = true; }}};
+  const std::vector<Change> of_modern{
+      {"as_it_is", [](BlockOptions&) {}},
+      {"2d", [](BlockOptions& o) { o.dimension = 2; }},
+      {"no_stress_diffusion", [](BlockOptions& o) { o.numerics.stress_diffusion = 0.0; }},
+      {"no_gradient_correction",
+       [](BlockOptions& o) {
+         o.numerics.gradient_correction = false;
+         o.numerics.stress_diffusion = 0.0;
+       }},
+      {"no_viscosity",
+       [](BlockOptions& o) { o.numerics.viscosity_alpha = o.numerics.viscosity_beta = 0.0; }},
+      {"verlet", [](BlockOptions& o) { o.numerics.integrator = Integrator::verlet; }},
+      {"elastic", [](BlockOptions& o) { o.elastic = true; }}};
   for (const std::string name : {"paper", "modern"}) {
-    for (const int threads : {1, 2}) {
-      for (const auto& [dimension, particles] :
-           std::map<int, std::int64_t>{{2, 7'225}, {3, 176'000}}) {
-        const BlockOptions options{dimension, particles, preset(name), threads, {}};
-        benchmark::RegisterBenchmark(
-            fmt::format("step/block/{}d/{}/{}/threads:{}", dimension, name, particles, threads)
-                .c_str(),
-            [=](benchmark::State& bench) { step_block(bench, options); })
-            ->UseRealTime()
-            ->Unit(benchmark::kMillisecond);
-      }
-      for (const double spacing : {1.0, 0.25}) {
-        benchmark::RegisterBenchmark(
-            fmt::format("step/failed_slope/2d/{}/dx:{}/threads:{}", name, spacing, threads).c_str(),
-            [=](benchmark::State& bench) { step_slope(bench, spacing, name, threads); })
-            ->UseRealTime()
-            ->Unit(benchmark::kMillisecond);
-      }
+    for (const Change& change : name == "paper" ? of_paper : of_modern) {
+      BlockOptions options{3, 64'000, preset(name), 1, {}};
+      change.apply(options);
+      add_block(fmt::format("with_without/{}/{}", name, change.name), options);
     }
   }
 }
 
 }  // namespace
-}  // namespace scarp::bench
 
-int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  scarp::bench::add_all();
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+void add_all(bool /*full*/) {
+  for (const std::string name : {"paper", "modern"}) {
+    for (int threads = 1; threads <= default_threads(); threads *= 2) {
+      for (const int dimension : {2, 3}) {
+        const std::int64_t particles = dimension == 2 ? 90'000 : 176'000;
+        for (const Precision precision : {Precision::real64, Precision::mixed}) {
+          BlockOptions options{dimension, particles, preset(name), threads, {}};
+          options.numerics.precision = precision;
+          add_block(fmt::format("block/{}d/{}/{}", dimension, name, precision_name(precision)),
+                    options);
+        }
+      }
+      for (const RealState& state : {failed_slope(1.0), failed_slope(0.25), run_out_2d(5e-3),
+                                     run_out_2d(1.25e-3), run_out_3d(12e-3)}) {
+        add(fmt::format("step/{}/{}/dx:{}/threads:{}", state.name, name, state.spacing, threads),
+            [=](benchmark::State& bench) { step_real(bench, state, name, threads); });
+      }
+    }
+  }
+  add_with_and_without();
 }
+
+}  // namespace scarp::bench

@@ -16,6 +16,7 @@ struct BlockOptions {
   Numerics numerics = preset("paper");
   int threads = 1;
   std::string isa;
+  bool elastic = false;  ///< no plasticity
 };
 
 inline Scene block_scene(const BlockOptions& options) {
@@ -30,6 +31,7 @@ inline Scene block_scene(const BlockOptions& options) {
                       "drucker_prager",
                       2000.0,
                       {100e6, 0.3, 10e3, 0.35, 0.15, options.dimension == 2 ? 0.0 : 1.0}}};
+  if (options.elastic) scene.materials = {{"rock", "linear_elastic", 2000.0, {100e6, 0.3}}};
   const double side =
       std::round(std::pow(static_cast<double>(options.particles), 1.0 / options.dimension));
   scene.bodies = {{0, Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};
@@ -69,7 +71,7 @@ inline State block_state(const BlockOptions& options) {
 /// own entry left out.
 inline std::int64_t true_pairs(State& state) {
   const kernels::NeighbourView lists = state.lists.view();
-  const int size = state.kernels.table->cluster_size, dimension = state.scene.dimension;
+  const int size = state.kernels.cluster_size, dimension = state.scene.dimension;
   const double support = 2.0;
   std::int64_t pairs = 0;
   for (std::int64_t cluster = 0; cluster < state.lists.clusters(); ++cluster) {

@@ -49,20 +49,28 @@ ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& tab
   const Numerics& n = scene.numerics;
   ChosenKernels chosen;
   chosen.table = &table;
+  chosen.cluster_size =
+      n.precision == Precision::mixed ? table.mixed_cluster_size : table.cluster_size;
   chosen.artificial_stress = n.artificial_stress > 0.0;
   chosen.viscosity = n.viscosity_alpha > 0.0 || n.viscosity_beta > 0.0;
   // It quiets soil that flows; elastic bodies do not, and in them it feeds noise (`disc_rotation`).
   chosen.diffusion = n.stress_diffusion > 0.0 && any_plastic(scene);
-  chosen.correction = n.gradient_correction || chosen.diffusion;
-  const auto sweep = [&](kernels::Terms terms, bool correction) {
+  chosen.correction = n.gradient_correction;
+  const auto sweep = [&](kernels::Terms terms) {
     const bool force = terms != kernels::Terms::gradient;
-    return table.sweep_for({scene.dimension, terms, force && chosen.viscosity,
-                            force && chosen.artificial_stress, correction});
+    const bool gradient = terms != kernels::Terms::force;
+    const kernels::SweepVariant wanted{scene.dimension,
+                                       terms,
+                                       force && chosen.viscosity,
+                                       force && chosen.artificial_stress,
+                                       gradient && chosen.correction,
+                                       gradient && chosen.diffusion};
+    if (n.precision == Precision::mixed) return ChosenSweep{nullptr, table.mixed_sweep_for(wanted)};
+    return ChosenSweep{table.sweep_for(wanted), nullptr};
   };
-  if (n.integrator == Integrator::verlet)
-    chosen.fused = sweep(kernels::Terms::fused, chosen.correction);
-  chosen.gradient = sweep(kernels::Terms::gradient, chosen.correction);
-  chosen.force = sweep(kernels::Terms::force, false);
+  if (n.integrator == Integrator::verlet) chosen.fused = sweep(kernels::Terms::fused);
+  chosen.gradient = sweep(kernels::Terms::gradient);
+  chosen.force = sweep(kernels::Terms::force);
   return chosen;
 }
 

@@ -96,8 +96,8 @@ void enter_stage(State& state, std::size_t index) {
   state.clock.restart = true;
   state.clock.growth_base = 0.0;
   state.report.stage_time = 0.0;
-  if (state.kernels.fused ==
-      nullptr) {  // kick-drift-kick needs the acceleration its first kick uses
+  // The first kick needs the acceleration.
+  if (state.scene.numerics.integrator == Integrator::kick_drift_kick) {
     refresh_neighbours(state);
     extrapolate_walls(state);
     sweep_force(state);

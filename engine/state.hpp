@@ -12,17 +12,25 @@
 #include "engine/neighbours/neighbour_lists.hpp"
 #include "engine/particles/particle_buffers.hpp"
 #include "engine/simulation.hpp"
+#include "engine/sweep/narrow_records.hpp"
 #include "engine/sweep/records.hpp"
 #include "kernels/isa/kernel_table.hpp"
 
 namespace scarp {
 
+/// A pair sweep in the precision of the run; the other one is null.
+struct ChosenSweep {
+  kernels::PairSweep<double> in_double = nullptr;
+  kernels::PairSweep<float> mixed = nullptr;
+};
+
 /// Sweeps and passes chosen once per run.
 struct ChosenKernels {
   const kernels::KernelTable* table = nullptr;
-  kernels::PairSweep<double> fused = nullptr;     ///< Verlet
-  kernels::PairSweep<double> gradient = nullptr;  ///< kick-drift-kick
-  kernels::PairSweep<double> force = nullptr;     ///< kick-drift-kick, wall reactions, energies
+  ChosenSweep fused;     ///< Verlet
+  ChosenSweep gradient;  ///< kick-drift-kick
+  ChosenSweep force;     ///< kick-drift-kick, wall reactions, energies
+  int cluster_size = 0;  ///< of the pair sweeps
   bool artificial_stress = false;
   bool correction = false;
   bool viscosity = false;
@@ -76,6 +84,7 @@ struct State {
   ParticleBuffers particles;
   RecordScaling scaling;
   Records records;
+  NarrowRecords narrow_records;          ///< of a run in mixed precision
   WallDummies dummies;                   ///< of every wall of the scene, as generated
   std::vector<Vec3> wall_offset;         ///< how far each wall has moved
   std::vector<Vec3> placed_wall_offset;  ///< when `walls` was made

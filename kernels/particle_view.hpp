@@ -32,6 +32,14 @@ enum RecordSlot {
 };
 static_assert(record_size == 16);
 
+/// In single precision a record's position is a 32-bit integer, its bits in place of the float: a
+/// multiple of this length in units of h, so that differences of positions are exact and know no
+/// origin.
+inline constexpr double position_step = 0x1p-18;
+/// Positions further than this from the origin of the records do not fit: with the far record at
+/// twice the distance no difference overflows.
+inline constexpr double position_reach = 0x1p29 * position_step;
+
 /// Moments with a smaller determinant are not inverted: a few stray neighbours in a line or plane.
 /// Edges (0.15 in 2D, 0.09 in 3D) and corners (0.03) of a lattice are: they must not take rotation
 /// for strain.

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <xsimd/xsimd.hpp>
+
+#include "kernels/particle_view.hpp"
 
 #define SCARP_INLINE inline __attribute__((always_inline))
 #define SCARP_LAMBDA __attribute__((always_inline))
@@ -58,9 +61,29 @@ struct HalfSelect<double, xsimd::avx512bw> {
     return _mm512_mask_broadcastsd_pd(_mm512_set1_pd(*low), 0xF0, _mm_load_sd(high));
   }
 };
+template <>
+struct HalfSelect<float, xsimd::avx512bw> {
+  SCARP_INLINE Batch<float, xsimd::avx512bw> operator()(const float* low, const float* high) const {
+    return _mm512_mask_broadcastss_ps(_mm512_set1_ps(*low), 0xFF00, _mm_load_ss(high));
+  }
+};
 #endif
 
 /// 1/sqrt(x), accurate to a few ulp. Pre: x is finite and normal.
+/// Difference of two record positions in units of h. Accuracy: exact for the positions stored.
+template <class Arch>
+SCARP_INLINE Batch<double, Arch> position_difference(const Batch<double, Arch>& a,
+                                                     const Batch<double, Arch>& b) {
+  return a - b;
+}
+template <class Arch>
+SCARP_INLINE Batch<float, Arch> position_difference(const Batch<float, Arch>& a,
+                                                    const Batch<float, Arch>& b) {
+  using Integers = Batch<std::int32_t, Arch>;
+  const Integers steps = xsimd::bitwise_cast<Integers>(a) - xsimd::bitwise_cast<Integers>(b);
+  return xsimd::to_float(steps) * Batch<float, Arch>(static_cast<float>(position_step));
+}
+
 template <class Real, class Arch>
 SCARP_INLINE Batch<Real, Arch> inverse_sqrt(const Batch<Real, Arch>& x) {
   return Batch<Real, Arch>(Real(1)) / xsimd::sqrt(x);
@@ -81,6 +104,12 @@ SCARP_INLINE Batch<double, xsimd::avx512bw> inverse_sqrt(const Batch<double, xsi
   const __m512d e = _mm512_fnmadd_pd(_mm512_mul_pd(x, y), y, _mm512_set1_pd(1.0));
   const __m512d inner = _mm512_fmadd_pd(e, _mm512_set1_pd(0.3125), _mm512_set1_pd(0.375));
   return _mm512_fmadd_pd(_mm512_mul_pd(y, e), _mm512_fmadd_pd(e, inner, _mm512_set1_pd(0.5)), y);
+}
+/// One step of second order from the 14-bit estimate leaves 2^-27.
+SCARP_INLINE Batch<float, xsimd::avx512bw> inverse_sqrt(const Batch<float, xsimd::avx512bw>& x) {
+  const __m512 y = _mm512_rsqrt14_ps(x);
+  const __m512 e = _mm512_fnmadd_ps(_mm512_mul_ps(x, y), y, _mm512_set1_ps(1.0f));
+  return _mm512_fmadd_ps(_mm512_mul_ps(y, e), _mm512_set1_ps(0.5f), y);
 }
 #endif
 

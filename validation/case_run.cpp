@@ -86,7 +86,10 @@ Scene CaseRun::scene_at(double spacing, const std::string& preset) const {
 }
 
 Scene CaseRun::scene_at(double spacing, const std::string& preset, const std::string& file) const {
-  return read_scene(data_folder() / "cases" / result_.case_name / file, {preset, spacing});
+  Scene scene = read_scene(data_folder() / "cases" / result_.case_name / file, {preset, spacing});
+  if (!options_.precision.empty())
+    scene.numerics.precision = options_.precision == "mixed" ? Precision::mixed : Precision::real64;
+  return scene;
 }
 
 std::vector<std::string> CaseRun::presets() const {

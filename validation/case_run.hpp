@@ -22,6 +22,7 @@ struct CaseOptions {
   Form form = Form::main;
   std::filesystem::path out = "out";  ///< the case's folder is made in it
   std::string preset;                 ///< in place of the scene's
+  std::string precision;              ///< in place of the scene's: double, mixed
   double spacing = 0.0;               ///< in place of the form's [m]
   RunOptions run;
   bool quiet = false;

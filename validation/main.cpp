@@ -27,7 +27,7 @@ struct Arguments {
   std::vector<std::string> cases;
   CaseOptions options;
   bool short_form = false, full = false;
-  std::string spacing, json, precision = "double", report_folder;
+  std::string spacing, json, report_folder;
   ErrorTimeArguments error_time;
 };
 
@@ -154,8 +154,8 @@ int run_program(int argc, char** argv) {
       ->check(CLI::Range(0, 4096));
   run->add_option("--preset", options.preset, "Replace the scene's preset: modern, paper")
       ->check(CLI::IsMember({"modern", "paper"}));
-  run->add_option("--precision", arguments.precision, "Arithmetic of the pair loop: double")
-      ->check(CLI::IsMember({"double"}));
+  run->add_option("--precision", options.precision, "Arithmetic of the pair loop: double, mixed")
+      ->check(CLI::IsMember({"double", "mixed"}));
   run->add_option("--spacing", arguments.spacing, "Particle spacing, e.g. \"0.5 m\"");
   run->add_option("--isa", options.run.isa, "Instruction set: sse2, avx2, avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));

@@ -44,7 +44,7 @@ void hold_off_faces(State& state) {
   if (state.walls.count() == 0) return;
   const std::vector<Face> faces = standing_faces(state);
   const kernels::NeighbourView lists = state.lists.view();
-  const std::int64_t size = state.kernels.table->cluster_size;
+  const std::int64_t size = state.kernels.cluster_size;
   const int dimension = state.scene.dimension;
   const double spacing = state.scene.spacing;
   std::array<const double*, 3> position{};

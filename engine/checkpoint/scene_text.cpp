@@ -50,6 +50,7 @@ void add_numerics(Lines& lines, const Numerics& n) {
   lines.add("skin", n.skin);
   lines.add("density_minimum", n.density_minimum);
   lines.add("density_maximum", n.density_maximum);
+  lines.add("precision", n.precision);
 }
 
 struct ShapeLines {

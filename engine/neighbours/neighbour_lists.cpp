@@ -59,7 +59,7 @@ class ChunkBuilder {
       if (begin >= range.begin && begin < range.end) valid_end = std::min(range.end, padded_end);
     }
     if (valid_end > begin) gather(begin, valid_end);
-    const std::int64_t size = kernels_.cluster_size;
+    const std::int64_t size = input_.cluster_size;
     for (std::int64_t first = begin; first < padded_end; first += size) {
       const auto members = static_cast<int>(std::clamp<std::int64_t>(valid_end - first, 0, size));
       std::int64_t soil = 0, walls = 0;
@@ -130,7 +130,7 @@ class ChunkBuilder {
 
 void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, const Input& input) {
   static_assert(particle_chunk % supercluster == 0);
-  const std::int64_t size = kernels.cluster_size, clusters = input.slots / size;
+  const std::int64_t size = input.cluster_size, clusters = input.slots / size;
   std::vector<ChunkLists> chunks(
       static_cast<std::size_t>((input.slots + particle_chunk - 1) / particle_chunk));
   parallel_chunks(threads, input.slots, particle_chunk, [&](std::int64_t begin, std::int64_t end) {

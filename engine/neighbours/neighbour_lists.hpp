@@ -38,6 +38,7 @@ class NeighbourLists {
     std::int64_t far_record = 0;
     double reach = 0.0;  ///< support plus skin [m]
     int dimension = 3;
+    int cluster_size = 1;  ///< particles per list
   };
 
   void build(int threads, const kernels::KernelTable& kernels, const Input& input);

@@ -96,6 +96,7 @@ void build_lists(State& state) {
   input.far_record = state.records.far_record();
   input.reach = reach;
   input.dimension = dimension;
+  input.cluster_size = state.kernels.cluster_size;
   if (state.walls.count() > 0) {
     const SlotRange dummies = state.walls.range();
     state.wall_cells.build(state.threads, state.walls.points(), {&dummies, 1}, cell);
@@ -105,6 +106,7 @@ void build_lists(State& state) {
     of_walls.ranges = {&dummies, 1};
     of_walls.slots = state.walls.slots();
     of_walls.walls = {};
+    of_walls.cluster_size = state.kernels.table->cluster_size;
     state.wall_lists.build(state.threads, *state.kernels.table, of_walls);
   }
   state.lists.build(state.threads, *state.kernels.table, input);

@@ -124,7 +124,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"complete", results.failure.empty()},
             {"failure", results.failure.empty() ? Json() : Json(results.failure)},
             {"preset", scene.numerics.preset},
-            {"precision", "double"},
+            {"precision", precision_name(scene.numerics.precision)},
             {"isa", simulation.isa()},
             {"threads", simulation.threads()},
             {"dimension", scene.dimension},

@@ -57,6 +57,10 @@ constexpr Row rows[] = {
     {"skin", real<&Numerics::skin>},
     {"density_minimum", real<&Numerics::density_minimum>},
     {"density_maximum", real<&Numerics::density_maximum>},
+    {"precision",
+     [](const Value& v, Numerics& n) {
+       n.precision = static_cast<Precision>(v.choice("double|mixed"));
+     }},
 };
 
 }  // namespace

@@ -24,6 +24,11 @@ enum class WallKind { no_slip, free_slip };
 enum class StageEnd { duration, rest };
 enum class InitialStress { zero, geostatic, uniform };
 
+enum class Precision { real64, mixed };
+inline const char* precision_name(Precision p) {
+  return p == Precision::mixed ? "mixed" : "double";
+}
+
 /// One row per line of the presets' table (`engine/scene/SCENE.md`); `preset()` fills them.
 struct Numerics {
   std::string preset = "modern";
@@ -46,6 +51,7 @@ struct Numerics {
   double skin = 0.1;                 ///< margin of the neighbour lists in h [-]
   double density_minimum = 0.5;      ///< bound on density over reference density [-]
   double density_maximum = 1.2;      ///< bound on density over reference density [-]
+  Precision precision = Precision::real64;  ///< of the pair sweep; the state is always double
 };
 
 /// The rows of `kernels/constitutive/list.hpp` name the models and their parameters.

@@ -6,16 +6,26 @@
 namespace scarp {
 namespace {
 
-void run(State& state, kernels::PairSweep<double> sweep,
-         const kernels::PairSweepView<double>& view) {
-  const std::int64_t chunk = particle_chunk / state.kernels.table->cluster_size;
+template <class Real>
+void run(const State& state, kernels::PairSweep<Real> sweep,
+         const kernels::PairSweepView<Real>& view) {
+  const std::int64_t chunk = particle_chunk / state.kernels.cluster_size;
   parallel_chunks(state.threads, state.lists.clusters(), chunk,
                   [&](std::int64_t begin, std::int64_t end) { sweep(view, begin, end); });
 }
 
+void run(State& state, const ChosenSweep& sweep, const kernels::PairSweepView<double>& view) {
+  if (sweep.mixed == nullptr) {
+    run(state, sweep.in_double, view);
+  } else {
+    run(state, sweep.mixed,
+        state.narrow_records.narrow(state.threads, view, state.records.far_record()));
+  }
+}
+
 /// Tension records are only needed where a force is summed; without any tension the term is
 /// skipped.
-void run_step_sweep(State& state, kernels::PairSweep<double> sweep, bool force) {
+void run_step_sweep(State& state, const ChosenSweep& sweep, bool force) {
   kernels::PairSweepView<double> view = sweep_view(state);
   if (force && state.kernels.artificial_stress) {
     const bool any = state.records.pack_tension(state.threads, state.particles,

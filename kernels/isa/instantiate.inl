@@ -14,27 +14,73 @@ namespace {
 
 using Arch = SCARP_ARCH;
 
-template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection>
-constexpr CompiledSweep compiled{
-    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection},
-    &pair_sweep<Arch, double,
-                SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection>>};
+template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection,
+          bool UseDiffusion>
+constexpr CompiledSweep<double> compiled{
+    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion},
+    &pair_sweep<
+        Arch, double,
+        SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion>>};
 
 constexpr bool on = true, off = false;
-constexpr CompiledSweep sweeps[] = {
+constexpr CompiledSweep<double> sweeps[] = {
 #if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
-    compiled<2, Terms::fused, off, off, off>,   compiled<2, Terms::fused, off, off, on>,
-    compiled<2, Terms::fused, on, off, off>,    compiled<2, Terms::fused, on, off, on>,
-    compiled<2, Terms::fused, on, on, off>,     compiled<2, Terms::gradient, off, off, off>,
-    compiled<2, Terms::force, off, off, off>,   compiled<2, Terms::force, on, off, off>,
-    compiled<3, Terms::fused, off, off, off>,   compiled<3, Terms::fused, off, off, on>,
-    compiled<3, Terms::fused, on, off, off>,    compiled<3, Terms::fused, on, off, on>,
-    compiled<3, Terms::fused, on, on, off>,     compiled<3, Terms::gradient, off, off, off>,
-    compiled<3, Terms::force, off, off, off>,   compiled<3, Terms::force, on, off, off>,
+    compiled<2, Terms::fused, off, off, off, off>,
+    compiled<2, Terms::fused, off, off, on, on>,
+    compiled<2, Terms::fused, on, off, off, off>,
+    compiled<2, Terms::fused, on, off, on, off>,
+    compiled<2, Terms::fused, on, off, on, on>,
+    compiled<2, Terms::fused, on, on, off, off>,
+    compiled<2, Terms::gradient, off, off, off, off>,
+    compiled<2, Terms::gradient, off, off, on, off>,
+    compiled<2, Terms::force, off, off, off, off>,
+    compiled<2, Terms::force, on, off, off, off>,
+    compiled<3, Terms::fused, off, off, off, off>,
+    compiled<3, Terms::fused, off, off, on, on>,
+    compiled<3, Terms::fused, on, off, off, off>,
+    compiled<3, Terms::fused, on, off, on, off>,
+    compiled<3, Terms::fused, on, off, on, on>,
+    compiled<3, Terms::fused, on, on, off, off>,
+    compiled<3, Terms::gradient, off, off, off, off>,
+    compiled<3, Terms::gradient, off, off, on, off>,
+    compiled<3, Terms::force, off, off, off, off>,
+    compiled<3, Terms::force, on, off, off, off>,
 #endif
-    compiled<2, Terms::fused, on, on, on>,      compiled<2, Terms::gradient, off, off, on>,
-    compiled<2, Terms::force, on, on, off>,     compiled<3, Terms::fused, on, on, on>,
-    compiled<3, Terms::gradient, off, off, on>, compiled<3, Terms::force, on, on, off>,
+    compiled<2, Terms::fused, on, on, on, on>,
+    compiled<2, Terms::gradient, off, off, on, on>,
+    compiled<2, Terms::force, on, on, off, off>,
+    compiled<3, Terms::fused, on, on, on, on>,
+    compiled<3, Terms::gradient, off, off, on, on>,
+    compiled<3, Terms::force, on, on, off, off>,
+};
+
+template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection,
+          bool UseDiffusion>
+constexpr CompiledSweep<float> in_float{
+    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion},
+    &pair_sweep<
+        Arch, float,
+        SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion>>};
+
+constexpr CompiledSweep<float> mixed[] = {
+#if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
+    in_float<2, Terms::fused, on, off, off, off>,
+    in_float<2, Terms::fused, on, on, off, off>,
+    in_float<2, Terms::gradient, off, off, off, off>,
+    in_float<2, Terms::gradient, off, off, on, off>,
+    in_float<2, Terms::force, on, off, off, off>,
+    in_float<3, Terms::fused, on, off, off, off>,
+    in_float<3, Terms::fused, on, on, off, off>,
+    in_float<3, Terms::gradient, off, off, off, off>,
+    in_float<3, Terms::gradient, off, off, on, off>,
+    in_float<3, Terms::force, on, off, off, off>,
+#endif
+    in_float<2, Terms::fused, on, on, on, on>,
+    in_float<2, Terms::gradient, off, off, on, on>,
+    in_float<2, Terms::force, on, on, off, off>,
+    in_float<3, Terms::fused, on, on, on, on>,
+    in_float<3, Terms::gradient, off, off, on, on>,
+    in_float<3, Terms::force, on, on, off, off>,
 };
 
 }  // namespace
@@ -44,7 +90,9 @@ const KernelTable& SCARP_TABLE() {
       SCARP_ISA,
       SCARP_ISA_NAME,
       cluster_size<double, Arch>,
+      cluster_size<float, Arch>,
       sweeps,
+      mixed,
       {&wall_sweep<Arch, double, 2>, &wall_sweep<Arch, double, 3>},
       {{{&advance_verlet<Arch, 2, false>, &advance_verlet<Arch, 2, true>},
         {&advance_verlet<Arch, 3, false>, &advance_verlet<Arch, 3, true>}}},

@@ -6,16 +6,29 @@
 
 namespace scarp::kernels {
 
-PairSweep<double> KernelTable::sweep_for(const SweepVariant& wanted) const {
-  for (const CompiledSweep& candidate : sweeps) {
+namespace {
+
+template <class Real>
+PairSweep<Real> first_that_covers(std::span<const CompiledSweep<Real>> sweeps,
+                                  const SweepVariant& wanted) {
+  for (const CompiledSweep<Real>& candidate : sweeps) {
     const SweepVariant& have = candidate.variant;
     const bool covers = have.dimension == wanted.dimension && have.terms == wanted.terms &&
                         have.viscosity >= wanted.viscosity &&
                         have.artificial_stress >= wanted.artificial_stress &&
-                        have.correction >= wanted.correction;
+                        have.correction >= wanted.correction && have.diffusion >= wanted.diffusion;
     if (covers) return candidate.sweep;
   }
   return nullptr;
+}
+
+}  // namespace
+
+PairSweep<double> KernelTable::sweep_for(const SweepVariant& wanted) const {
+  return first_that_covers(sweeps, wanted);
+}
+PairSweep<float> KernelTable::mixed_sweep_for(const SweepVariant& wanted) const {
+  return first_that_covers(mixed, wanted);
 }
 
 std::span<const Isa> available_isas() {

@@ -20,7 +20,8 @@ struct SweepVariant {
   Terms terms = Terms::fused;
   bool viscosity = true;
   bool artificial_stress = true;
-  bool correction = true;  ///< gradient moment and stress diffusion
+  bool correction = true;  ///< moment of the gradient correction
+  bool diffusion = true;   ///< stress diffusion
   friend bool operator==(const SweepVariant&, const SweepVariant&) = default;
 };
 
@@ -35,9 +36,10 @@ using StressPass = std::uint64_t (*)(const ParticleView&, const StressPassConsta
 /// Writes the indices of the candidates that are neighbours, in order; returns how many.
 using CandidateFilter = int (*)(const CandidateView&, std::int32_t* out);
 
+template <class Real>
 struct CompiledSweep {
   SweepVariant variant;
-  PairSweep<double> sweep;
+  PairSweep<Real> sweep;
 };
 
 /// Everything compiled for one instruction set.
@@ -45,7 +47,9 @@ struct KernelTable {
   Isa isa;
   const char* name;
   int cluster_size;                                 ///< particles per cluster, double
-  std::span<const CompiledSweep> sweeps;            ///< special before general
+  int mixed_cluster_size;                           ///< ... of the sweeps in single precision
+  std::span<const CompiledSweep<double>> sweeps;    ///< special before general
+  std::span<const CompiledSweep<float>> mixed;      ///< the same in single precision
   std::array<WallSweep<double>, 2> wall_sweep;      ///< by dimension - 2
   std::array<std::array<VerletPass, 2>, 2> verlet;  ///< by dimension - 2, plastic
   std::array<std::array<StressPass, 2>, 2> stress;
@@ -53,6 +57,7 @@ struct KernelTable {
 
   /// The most special kernel that covers what is asked for; every table holds a general one.
   PairSweep<double> sweep_for(const SweepVariant& wanted) const;
+  PairSweep<float> mixed_sweep_for(const SweepVariant& wanted) const;
 };
 
 const KernelTable& sse2_kernels();

@@ -15,14 +15,15 @@ namespace scarp::kernels {
 
 /// What a sweep is compiled for; what is off costs neither instructions nor memory.
 template <int Dimension, Terms Which, bool UseViscosity, bool UseArtificialStress,
-          bool UseCorrection>
+          bool UseCorrection, bool UseDiffusion>
 struct SweepTraits {
   static constexpr int dimension = Dimension;
   static constexpr bool gradient = Which != Terms::force;
   static constexpr bool force = Which != Terms::gradient;
   static constexpr bool viscosity = force && UseViscosity;
   static constexpr bool artificial_stress = force && UseArtificialStress;
-  static constexpr bool correction = gradient && UseCorrection;  ///< moment and stress diffusion
+  static constexpr bool correction = gradient && UseCorrection;
+  static constexpr bool diffusion = gradient && UseDiffusion;
 };
 
 /// One cluster of particles in the lanes of a vector, twice: the lower half meets the even, the
@@ -88,6 +89,8 @@ class ClusterSweep {
         put(view_.moment[component[dim - 2][k]],
             -moment_.minus_moment[k] * B(Real(view_.smoothing_length)));
       }
+    }
+    if constexpr (Traits::diffusion) {
       for (int c = 0; c < StressDiffusion<B, dim>::components; ++c) {
         B stress_i;
         load(stress_i, record_stress + c);
@@ -134,7 +137,8 @@ class ClusterSweep {
     Pair pair;
     B squared(closest<Real>);
     unrolled<dim>([&](auto a) SCARP_LAMBDA {
-      pair.offset[a] = i_.position[a] - select_(p + record_x + a, r + record_x + a);
+      pair.offset[a] =
+          position_difference<Arch>(i_.position[a], select_(p + record_x + a, r + record_x + a));
       squared = xsimd::fma(pair.offset[a], pair.offset[a], squared);
     });
     pair.distance_squared = squared;
@@ -143,7 +147,7 @@ class ClusterSweep {
                     smoothing_slope(squared * inverse_distance, view_.constants.smoothing) *
                     inverse_distance;
     pair.density = select_(p + record_density, r + record_density);
-    if constexpr (Traits::viscosity || Traits::correction) {
+    if constexpr (Traits::viscosity || Traits::diffusion) {
       pair.inverse_regularised = inverse((squared + B(Real(0.01))) * (i_.density + pair.density));
     }
     return pair;
@@ -173,7 +177,7 @@ class ClusterSweep {
     const Real* r = view_.records + std::int64_t{high} * stride;
     const PairMotion<B, dim> m = motion(pair, low, high);
     B stress[6];
-    if constexpr (Traits::force || (Traits::correction && !Wall)) {
+    if constexpr (Traits::force || (Traits::diffusion && !Wall)) {
       unrolled<dim == 2 ? 4 : 6>([&](auto c) SCARP_LAMBDA {
         stress[c] = select_(p + record_stress + c, r + record_stress + c);
       });
@@ -182,12 +186,10 @@ class ClusterSweep {
       continuity_.add(pair, m);
       gradient_.add(m);
     }
-    if constexpr (Traits::correction) {
-      moment_.add(pair, m);
-      if constexpr (!Wall) {
-        diffusion_.add(pair, i_, select_(p + record_diffusivity, r + record_diffusivity), stress,
-                       view_.constants.gravity);
-      }
+    if constexpr (Traits::correction) moment_.add(pair, m);
+    if constexpr (Traits::diffusion && !Wall) {
+      diffusion_.add(pair, i_, select_(p + record_diffusivity, r + record_diffusivity), stress,
+                     view_.constants.gravity);
     }
     if constexpr (Traits::force) momentum_.add(stress, m.volume_gradient);
     if constexpr (Traits::viscosity) {
@@ -267,7 +269,7 @@ class ClusterSweep {
   If<Traits::gradient, Continuity<B>> continuity_;
   If<Traits::gradient, VelocityGradient<B, dim>> gradient_;
   If<Traits::correction, GradientMoment<B, dim>> moment_;
-  If<Traits::correction, StressDiffusion<B, dim>> diffusion_;
+  If<Traits::diffusion, StressDiffusion<B, dim>> diffusion_;
   If<Traits::force, Momentum<B, dim>> momentum_;
   If<Traits::viscosity, Viscosity<B>> viscosity_;
   If<Traits::artificial_stress, ArtificialStress<B, dim>> artificial_stress_;

@@ -34,17 +34,6 @@ const char* word(Integrator integrator) {
   return integrator == Integrator::verlet ? "verlet" : "kick_drift_kick";
 }
 
-/// The choice a setting made on an axis that Numerics does not show; the first stands for all.
-std::string precision_of(const Setting& setting) {
-  const std::vector<Axis>& axes = numerics_axes();
-  for (std::size_t a = 0; a < axes.size(); ++a) {
-    if (axes[a].name != "precision") continue;
-    const auto change = setting.changes.find(a);
-    return std::string(axes[a].choices[change == setting.changes.end() ? 0 : change->second].name);
-  }
-  return {};
-}
-
 Json changes_of(const Setting& setting) {
   Json changes = Json::object();
   for (const auto& [axis, choice] : setting.changes) {
@@ -64,7 +53,7 @@ Json json_of(const Point& point) {
           {"integrator", word(point.numerics.integrator)},
           {"cfl", point.numerics.cfl},
           {"stress_diffusion", point.numerics.stress_diffusion},
-          {"precision", precision_of(point.trial.setting)},
+          {"precision", precision_name(point.numerics.precision)},
           {"status", word(point.status)},
           {"reason", point.reason},
           {"reference", point.reference},
@@ -131,7 +120,7 @@ void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
   for (const Point& point : study.points) {
     const Numerics& n = point.numerics;
     table << point.trial.setting.preset << word(n.smoothing) << n.smoothing_ratio
-          << word(n.integrator) << n.cfl << n.stress_diffusion << precision_of(point.trial.setting)
+          << word(n.integrator) << n.cfl << n.stress_diffusion << precision_name(n.precision)
           << point.spacing << word(point.status) << (point.reference ? "reference" : "compared")
           << (point.on_front ? 1.0 : 0.0) << point.error << point.wall_s << point.spread
           << static_cast<double>(point.repeats) << point.cpu_s << point.particles << point.steps

@@ -51,7 +51,9 @@ const std::vector<Axis>& numerics_axes() {
         {"kick_drift_kick CFL 1.2", integrate<kick_drift_kick, 120>}}},
       {"stress_diffusion",
        {{"stress_diffusion 0", diffuse<0>}, {"stress_diffusion 0.1", diffuse<10>}}},
-      {"precision", {{"double", [](Numerics&) {}}}},
+      {"precision",
+       {{"double", [](Numerics& n) { n.precision = Precision::real64; }},
+        {"mixed", [](Numerics& n) { n.precision = Precision::mixed; }}}},
   };
   return axes;
 }
@@ -103,12 +105,12 @@ std::string numerics_text(const Numerics& numerics) {
   // A row added to the numerics must be added here: the binding then does not compile.
   const auto& [preset, smoothing, ratio, normalisation, correction, rotation, plasticity, alpha,
                beta, artificial, exponent, diffusion, gate, integrator, restart, cfl, limiter, skin,
-               lowest, highest] = numerics;
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", preset,
+               lowest, highest, precision] = numerics;
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", preset,
                      static_cast<int>(smoothing), ratio, normalisation, correction,
                      static_cast<int>(rotation), static_cast<int>(plasticity), alpha, beta,
                      artificial, exponent, diffusion, gate, static_cast<int>(integrator), restart,
-                     cfl, limiter, skin, lowest, highest);
+                     cfl, limiter, skin, lowest, highest, precision_name(precision));
 }
 
 }  // namespace scarp::validation

@@ -89,6 +89,11 @@ std::vector<Case> cases() {
     all.push_back({"gate_" + preset, [=] { return moving_then_removed(preset); }});
     all.push_back({"verlet_" + preset, [=] { return thrown(preset, Integrator::verlet); }});
     all.push_back({"kick_" + preset, [=] { return thrown(preset, Integrator::kick_drift_kick); }});
+    all.push_back({"mixed_" + preset, [=] {
+                     Scene scene = collapse(preset);
+                     scene.numerics.precision = Precision::mixed;
+                     return scene;
+                   }});
     all.push_back({"limiter_" + preset, [=] {
                      Scene scene = thrown(preset, Integrator::kick_drift_kick);
                      scene.numerics.plasticity = Plasticity::rate_corrected;

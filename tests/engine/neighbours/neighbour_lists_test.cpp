@@ -81,6 +81,7 @@ TEST(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
     input.far_record = 2000;
     input.reach = reach;
     NeighbourLists lists;
+    input.cluster_size = table.cluster_size;
     lists.build(2, table, input);
     const kernels::NeighbourView view = lists.view();
     for (std::int64_t i = 0; i < 777; ++i) {

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Cells, order and lists: each part of a rebuild, the order's decay, and Morton against Hilbert
+/// order.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "bench/bench_main.hpp"
+#include "bench/block.hpp"
+#include "bench/hilbert.hpp"
+#include "engine/parallel.hpp"
+
+namespace scarp::bench {
+namespace {
+
+PointSpan points_of(const State& state) {
+  return {state.particles.component(Field::position, 0),
+          state.particles.component(Field::position, 1),
+          state.particles.component(Field::position, 2)};
+}
+SlotRange soil_of(const State& state) {
+  const ParticleGroup& group = state.particles.groups().front();
+  return {group.first, group.end()};
+}
+double cell_of(const State& state) {
+  return 0.5 * (2.0 + state.scene.numerics.skin) * state.smoothing_length;
+}
+
+void count(benchmark::State& bench, const State& state) {
+  bench.counters["particles_per_second"] = benchmark::Counter(
+      static_cast<double>(state.particles.count()), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void keys(benchmark::State& bench, State& state) {
+  const PointSpan p = points_of(state);
+  const SlotRange soil = soil_of(state);
+  std::vector<std::uint64_t> out(static_cast<std::size_t>(soil.end));
+  for (auto _ : bench) {
+    for (std::int64_t k = soil.begin; k < soil.end; ++k) {
+      const auto cell = state.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0);
+      out[static_cast<std::size_t>(k)] =
+          morton_key(static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1]),
+                     static_cast<std::uint32_t>(cell[2]));
+    }
+    benchmark::DoNotOptimize(out.data());
+  }
+  count(bench, state);
+}
+
+/// Keys, sort and hash table of cells, from an order that is almost right, as in a run.
+void cells(benchmark::State& bench, State& state) {
+  const SlotRange soil = soil_of(state);
+  CellGrid grid;
+  for (auto _ : bench) grid.build(state.threads, points_of(state), {&soil, 1}, cell_of(state));
+  count(bench, state);
+}
+
+/// Moving every field of every particle to its new slot.
+void permute(benchmark::State& bench, State& state) {
+  std::vector<std::int32_t> order(static_cast<std::size_t>(state.particles.slots()));
+  std::iota(order.begin(), order.end(), 0);
+  for (auto _ : bench) state.particles.permute(state.threads, order);
+  count(bench, state);
+}
+
+/// Cells and lists together, without sorting: what a rebuild costs.
+void rebuild(benchmark::State& bench, State& state) {
+  for (auto _ : bench) {
+    state.lists_valid = false;
+    if (state.rebuilds % 4 == 0) ++state.rebuilds;  // the engine sorts at every fourth
+    refresh_neighbours(state);
+  }
+  count(bench, state);
+  bench.counters["entries_per_particle"] =
+      static_cast<double>(state.lists.entries()) / static_cast<double>(state.particles.count());
+}
+
+enum class Order { morton, hilbert, random };
+
+void put_in_order(State& state, Order wanted) {
+  const PointSpan p = points_of(state);
+  const SlotRange soil = soil_of(state);
+  std::vector<std::int32_t> order(static_cast<std::size_t>(state.particles.slots()));
+  std::iota(order.begin(), order.end(), 0);
+  const auto begin = order.begin() + soil.begin, end = order.begin() + soil.end;
+  if (wanted == Order::random) {
+    std::shuffle(begin, end, std::mt19937(1));
+  } else {
+    std::vector<std::uint64_t> keys(order.size());
+    for (std::int64_t k = soil.begin; k < soil.end; ++k) {
+      std::array<std::uint32_t, 3> cell{};
+      const auto of = state.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0);
+      for (std::size_t a = 0; a < 3; ++a) cell[a] = static_cast<std::uint32_t>(of[a]);
+      keys[static_cast<std::size_t>(k)] = wanted == Order::hilbert
+                                              ? hilbert_key(cell, state.scene.dimension)
+                                              : morton_key(cell[0], cell[1], cell[2]);
+    }
+    std::stable_sort(begin, end, [&](std::int32_t a, std::int32_t b) {
+      return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)];
+    });
+  }
+  state.particles.permute(state.threads, order);
+  state.lists_valid = false;
+  if (state.rebuilds % 4 == 0) ++state.rebuilds;
+  refresh_neighbours(state);
+}
+
+/// The fused sweep with the particles in a given order.
+void sweep_in_order(benchmark::State& bench, const BlockOptions& options, Order order) {
+  State state = block_state(options);
+  put_in_order(state, order);
+  const auto pairs = static_cast<double>(true_pairs(state));
+  for (auto _ : bench) sweep_all(state);
+  count(bench, state);
+  bench.counters["useful_lane_share"] =
+      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.cluster_size);
+}
+
+}  // namespace
+
+void add_all(bool /*full*/) {
+  const auto add = [](const std::string& name, auto run) {
+    benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond);
+  };
+  struct Part {
+    const char* name;
+    void (*run)(benchmark::State&, State&);
+  };
+  for (const int dimension : {3, 2}) {
+    for (const std::int64_t particles : {64'000, 1'000'000}) {
+      const BlockOptions options{dimension, particles, preset("paper"), 1, {}};
+      for (const Part part : {Part{"keys", keys}, Part{"cells", cells}, Part{"permute", permute},
+                              Part{"rebuild", rebuild}}) {
+        add(fmt::format("{}/{}d/{}", part.name, dimension, particles),
+            [=](benchmark::State& bench) {
+              State state = block_state(options);
+              part.run(bench, state);
+            });
+      }
+      for (const auto& [name, order] :
+           {std::pair{"morton", Order::morton}, std::pair{"hilbert", Order::hilbert},
+            std::pair{"random", Order::random}}) {
+        if (order == Order::random && particles > 100'000) continue;
+        add(fmt::format("sweep_in_order/{}/{}d/{}", name, dimension, particles),
+            [=, order = order](benchmark::State& bench) { sweep_in_order(bench, options, order); });
+      }
+    }
+  }
+}
+
+}  // namespace scarp::bench

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Work of a pair sweep per true pair, counted from the pair terms in `kernels/pair/`.
+#pragma once
+
+#include "kernels/isa/kernel_table.hpp"
+
+namespace scarp::bench {
+
+/// Flops of one pair: a multiply-add counts 2, square root and division 1 each, maximum, minimum
+/// and selection 0; without the artificial stress, whose share depends on the state. 97 for all
+/// terms in 3D without correction.
+inline int pair_flops(const kernels::SweepVariant& variant) {
+  const int d = variant.dimension, components = d == 2 ? 4 : 6;
+  const bool gradient = variant.terms != kernels::Terms::force;
+  const bool force = variant.terms != kernels::Terms::gradient;
+  const bool viscosity = force && variant.viscosity;
+  const bool diffusion = gradient && variant.diffusion;
+  int flops = 3 * d + 16;                  // offset, 1/r, slope of W, V_j grad W / r
+  if (viscosity || diffusion) flops += 4;  // regularised denominator
+  flops += 4 * d - 1;                      // relative velocity, approach, V_j grad W
+  if (gradient) flops += 3 + 2 * d * d;    // density rate, velocity gradient
+  if (gradient && variant.correction) flops += d * (d + 1);  // moment
+  if (diffusion) flops += 9 + 2 * components + 2 * d;        // stress diffusion
+  if (force) flops += d + 2 * d * d;                         // momentum
+  if (viscosity) flops += 9 + 2 * d;
+  return flops;
+}
+
+}  // namespace scarp::bench

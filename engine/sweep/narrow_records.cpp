@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Records in single precision.
+#include "engine/sweep/narrow_records.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "engine/errors.hpp"
+#include "engine/parallel.hpp"
+
+namespace scarp {
+
+using namespace kernels;
+
+namespace {
+
+SmoothingView<float> narrowed(const SmoothingView<double>& wide) {
+  SmoothingView<float> out{};
+  for (int k = 0; k < 3; ++k) {
+    out.derivative[k] = static_cast<float>(wide.derivative[k]);
+    out.value[k] = static_cast<float>(wide.value[k]);
+  }
+  out.derivative_inner = static_cast<float>(wide.derivative_inner);
+  out.value_inner = static_cast<float>(wide.value_inner);
+  return out;
+}
+
+PairConstants<float> narrowed(const PairConstants<double>& wide) {
+  PairConstants<float> out{};
+  out.smoothing = narrowed(wide.smoothing);
+  out.viscosity_alpha = static_cast<float>(wide.viscosity_alpha);
+  out.viscosity_beta = static_cast<float>(wide.viscosity_beta);
+  for (int a = 0; a < 3; ++a) out.gravity[a] = static_cast<float>(wide.gravity[a]);
+  for (int side = 0; side < 2; ++side) {
+    for (int k = 0; k <= tension_degree; ++k)
+      out.tension_factor[side][k] = static_cast<float>(wide.tension_factor[side][k]);
+  }
+  return out;
+}
+
+float position_bits(double steps) {
+  return std::bit_cast<float>(static_cast<std::int32_t>(std::lrint(steps)));
+}
+
+/// Where padding is put: further from any particle than the support, and so that no difference
+/// overflows.
+constexpr double far_steps = 2.0 * position_reach / position_step;
+
+}  // namespace
+
+PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<double>& view,
+                                           std::int64_t far_record) {
+  const std::int64_t count = far_record + 1;
+  records_.resize(static_cast<std::size_t>(count * record_size));
+  const double far_x = view.records[far_record * record_size + record_x];
+  // The first record is never padding, and any soil particle serves as origin.
+  const double* origin = view.records + record_x;
+  const auto convert = [&](std::int64_t begin, std::int64_t end) {
+    bool fit = true;
+    for (std::int64_t k = begin; k < end; ++k) {
+      const double* from = view.records + k * record_size;
+      float* to = records_.data() + k * record_size;
+      const bool padding = from[record_x] == far_x;
+      for (int a = 0; a < 3; ++a) {
+        const double offset = from[record_x + a] - origin[a];
+        const bool fits = std::fabs(offset) < position_reach;
+        fit = fit && (fits || padding);
+        to[record_x + a] = position_bits(padding ? far_steps : fits ? offset / position_step : 0.0);
+      }
+      for (int slot = record_velocity_x; slot < record_size; ++slot)
+        to[slot] = static_cast<float>(from[slot]);
+    }
+    return fit;
+  };
+  const bool fit = parallel_reduce(threads, count, particle_chunk, true, convert,
+                                   [](bool& all, bool part) { all = all && part; });
+  if (!fit) {
+    throw Error(fmt::format(
+        "mixed precision: a particle is more than {:.0f} smoothing lengths from another, further "
+        "than its positions reach. Try precision = \"double\".",
+        position_reach));
+  }
+  PairSweepView<float> out{};
+  if (view.tension_records != nullptr) {
+    const std::int64_t size = count * tension_record_size;
+    tension_records_.resize(static_cast<std::size_t>(size));
+    parallel_chunks(threads, size, particle_chunk * tension_record_size,
+                    [&](std::int64_t begin, std::int64_t end) {
+                      for (std::int64_t k = begin; k < end; ++k) {
+                        tension_records_[static_cast<std::size_t>(k)] =
+                            static_cast<float>(view.tension_records[k]);
+                      }
+                    });
+    out.tension_records = tension_records_.data();
+  }
+  out.records = records_.data();
+  out.tension = view.tension;
+  out.neighbours = view.neighbours;
+  out.constants = narrowed(view.constants);
+  out.smoothing_length = view.smoothing_length;
+  out.density_rate = view.density_rate;
+  std::copy(std::begin(view.velocity_gradient), std::end(view.velocity_gradient),
+            out.velocity_gradient);
+  std::copy(std::begin(view.moment), std::end(view.moment), out.moment);
+  std::copy(std::begin(view.acceleration), std::end(view.acceleration), out.acceleration);
+  out.approach_rate = view.approach_rate;
+  std::copy(std::begin(view.diffusion_rate), std::end(view.diffusion_rate), out.diffusion_rate);
+  out.diffusion_slope = view.diffusion_slope;
+  return out;
+}
+
+std::size_t NarrowRecords::bytes() const {
+  return (records_.size() + tension_records_.size()) * sizeof(float);
+}
+
+}  // namespace scarp

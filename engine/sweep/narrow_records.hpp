@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Records of a run in mixed precision: those of `Records` in single precision, made before each
+/// sweep, with positions as integers.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/particles/aligned_vector.hpp"
+#include "kernels/particle_view.hpp"
+
+namespace scarp {
+
+class NarrowRecords {
+ public:
+  /// The view in single precision, its records copied from records 0 .. far_record; outputs stay
+  /// double. Accuracy: positions to 2^-19 h, all else to 2^-24 of itself. Errors: Error if a
+  /// particle is further from the first than positions reach, 2048 h.
+  kernels::PairSweepView<float> narrow(int threads, const kernels::PairSweepView<double>& view,
+                                       std::int64_t far_record);
+  std::size_t bytes() const;
+
+ private:
+  AlignedVector<float> records_, tension_records_;
+};
+
+}  // namespace scarp

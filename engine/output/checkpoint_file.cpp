@@ -77,7 +77,7 @@ void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapsho
   file.attribute("/", "version", std::vector<std::int64_t>{format_version});
   file.attribute("/", "program", "scarp " + program_version());
   for (const SnapshotItem& item : snapshot.items()) write_item(file, item);
-  const std::string image = file.image();
+  const std::string_view image = file.bytes();
   replace_file_durably(path, std::array<std::string_view, 2>{image, ending(image)});
 }
 

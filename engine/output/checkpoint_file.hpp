@@ -9,9 +9,9 @@
 namespace scarp {
 
 /// Writes PATH.part, flushes it to the disk and renames it, so that PATH is always complete, after
-/// a power cut too; a failed write leaves what was at PATH. Every item is a dataset with fletcher32
-/// and its unit as attribute; a line with the CRC-32 of all bytes before it ends the file.
-/// Format: `engine/output/FORMATS.md`. Errors: FileError.
+/// a power cut too; a failed write leaves what was at PATH. Takes the file's size in memory. Every
+/// item is a dataset with fletcher32 and its unit as attribute; a line with the CRC-32 of all bytes
+/// before it ends the file. Format: `engine/output/FORMATS.md`. Errors: FileError.
 void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapshot);
 
 /// Errors: CheckpointError, saying why: missing, empty, cut short, damaged, of another program or

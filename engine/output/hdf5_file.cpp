@@ -132,26 +132,26 @@ Handle NewFile::storage_of(const Shape& shape, std::size_t bytes, std::string_vi
     check(H5Pset_layout(storage.get(), H5D_COMPACT), name);
     return storage;
   }
-  constexpr hsize_t longest_row = 65536;
+  constexpr hsize_t longest = 65536;
+  const hsize_t pieces = (shape.back() + longest - 1) / longest;
   Shape chunk(shape.size(), 1);
-  chunk.back() = std::min(shape.back(), longest_row);
+  chunk.back() = (shape.back() + pieces - 1) / pieces;  // equal ones: the last is stored in full
   check(H5Pset_chunk(storage.get(), static_cast<int>(chunk.size()), chunk.data()), name);
   check(H5Pset_fletcher32(storage.get()), name);
   return storage;
 }
 
-void NewFile::commit() { replace_file(path_, image()); }
+void NewFile::commit() { replace_file(path_, bytes()); }
 
-std::string NewFile::image() {
+std::string_view NewFile::bytes() {
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing it");
-  // Of H5Fget_file_image only the size: it zeroes four bytes where the oldest format has its flags.
+  // Of H5Fget_file_image only the size: it copies, and zeroes bytes where the oldest format has its
+  // flags.
   const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
   check(size < 0 ? -1 : 0, "measuring it");
   void* memory = nullptr;
-  check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &memory), "copying it");
-  std::string image(*static_cast<const char* const*>(memory), static_cast<std::size_t>(size));
-  check(file_.close(), "closing it");
-  return image;
+  check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &memory), "finding it in memory");
+  return {*static_cast<const char* const*>(memory), static_cast<std::size_t>(size)};
 }
 
 Handle NewFile::checked(hid_t id, Handle::Close close, std::string_view what) const {

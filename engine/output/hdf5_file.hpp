@@ -77,8 +77,8 @@ class NewFile {
   void attribute(const std::string& object, const char* name,
                  const std::vector<std::int64_t>& values);
   void commit();
-  /// The bytes of the finished file, to which nothing can be added any more.
-  std::string image();
+  /// The whole file as it is now, until something is added or the object goes.
+  std::string_view bytes();
 
  private:
   void attribute(const std::string& object, const char* name, hid_t type, const Handle& space,

@@ -7,7 +7,9 @@ include(CMakePackageConfigHelpers)
 # list: nothing in it may include, however indirectly, a third-party header.
 set(scarp_public_headers
   engine/element/element_path.hpp
+  engine/checkpoint/snapshot.hpp
   engine/errors.hpp
+  engine/output/checkpoint_file.hpp
   engine/simulation.hpp
   engine/scene/scene.hpp
   engine/scene/scene_reader.hpp

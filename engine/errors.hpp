@@ -25,6 +25,12 @@ class FileError : public Error {
   using Error::Error;
 };
 
+/// A checkpoint that cannot be gone on from: damaged, of another scene or version.
+class CheckpointError : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A run that left the physical range; the message names step, particle, field, value, likely
 /// cause.
 class SimulationInstability : public Error {

@@ -240,6 +240,7 @@ void place_walls(State& state) {
     for (std::size_t a = 0; a < 3; ++a) moved.position[k][a] += state.wall_offset[moved.wall[k]][a];
   }
   state.walls = Walls(moved, has_dummies, cell, state.scaling.inverse_smoothing_length);
+  state.placed_wall_offset = state.built_wall_offset = state.wall_offset;
   state.records =
       Records(state.particles.slots(), state.walls.slots(), state.kernels.artificial_stress);
   state.lists_valid = false;

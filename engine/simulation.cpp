@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
 #include "engine/state.hpp"
 
@@ -61,6 +62,11 @@ struct Simulation::Impl {
 
 Simulation::Simulation(Scene scene, RunOptions options)
     : impl_(std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}})) {}
+Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options) {
+  if (options.isa.empty()) options.isa = snapshot.text("isa");
+  impl_ = std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}});
+  apply_snapshot(impl_->state, snapshot);
+}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -105,6 +111,8 @@ Simulation Simulation::clone() const {
   return copy;
 }
 Simulation::Simulation(const Simulation& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+
+Snapshot Simulation::snapshot() const { return take_snapshot(impl_->state); }
 
 const Scene& Simulation::scene() const { return impl_->state.scene; }
 const StepReport& Simulation::last_step() const { return impl_->state.report; }

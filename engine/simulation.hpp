@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/checkpoint/snapshot.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace scarp {
@@ -91,6 +92,10 @@ struct PhaseTime {
 class Simulation {
  public:
   explicit Simulation(Scene scene, RunOptions options = {});
+  /// Goes on from a snapshot of the same scene, bit for bit with any number of threads and the
+  /// snapshot's instruction set, which an empty `RunOptions::isa` means here. Forces on walls are
+  /// those of the present positions until the next step. Errors: CheckpointError.
+  Simulation(Scene scene, const Snapshot& snapshot, RunOptions options = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -105,6 +110,9 @@ class Simulation {
   void set_following_stages(std::vector<Stage> stages);
   /// An independent copy that goes on from here bit for bit.
   Simulation clone() const;
+  /// The complete state, to be kept in a file (`engine/output/checkpoint_file.hpp`); taking one
+  /// changes nothing.
+  Snapshot snapshot() const;
 
   const Scene& scene() const;
   const StepReport& last_step() const;

@@ -84,9 +84,11 @@ struct State {
   ParticleBuffers particles;
   RecordScaling scaling;
   Records records;
-  NarrowRecords narrow_records;   ///< of a run in mixed precision
-  WallDummies dummies;            ///< of every wall of the scene, as generated
-  std::vector<Vec3> wall_offset;  ///< how far each wall has moved
+  NarrowRecords narrow_records;          ///< of a run in mixed precision
+  WallDummies dummies;                   ///< of every wall of the scene, as generated
+  std::vector<Vec3> wall_offset;         ///< how far each wall has moved
+  std::vector<Vec3> placed_wall_offset;  ///< when `walls` was made
+  std::vector<Vec3> built_wall_offset;   ///< when the lists were built
   std::vector<bool> wall_stands;
   std::vector<Vec3> wall_velocity;  ///< now [m/s]
   double walls_moved = 0.0;         ///< farthest since the lists were built [m]
@@ -112,6 +114,9 @@ struct State {
 // Phases, in the order they appear in a step.
 void refresh_neighbours(
     State& state);  ///< engine/neighbours/refresh.cpp: sort, cells, lists, records
+/// Cells, images and lists of where everything stands now; `refresh_neighbours` calls it when due.
+void build_lists(State& state);
+void pack_records(State& state);       ///< of soil and images where they stand now
 void extrapolate_walls(State& state);  ///< engine/boundary/wall_phase.cpp
 void hold_off_faces(State& state);     ///< engine/boundary/hold_off.cpp
 void sweep_all(State& state);          ///< engine/sweep/pair_sweeps.cpp: every rate at once

@@ -3,6 +3,7 @@
 #include "engine/boundary/walls.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/parallel.hpp"
 
@@ -42,7 +43,23 @@ PointSpan Walls::points() const {
   return {position_[0].data(), position_[1].data(), position_[2].data()};
 }
 
+void Walls::remember_built() {
+  std::copy(std::begin(position_), std::end(position_), std::begin(built_position_));
+}
+
+void Walls::mark_built() {
+  if (have_moved()) remember_built();
+}
+
+void Walls::move_to(std::span<const double> positions) {
+  if (!have_moved()) remember_built();
+  for (std::size_t a = 0; a < 3; ++a)
+    std::copy_n(positions.begin() + static_cast<std::ptrdiff_t>(a) * count(), count(),
+                position_[a].begin());
+}
+
 void Walls::move(std::size_t wall, const Vec3& step) {
+  if (!have_moved()) remember_built();
   for (std::size_t k = 0; k < wall_.size(); ++k) {
     if (wall_[k] != wall) continue;
     for (std::size_t a = 0; a < 3; ++a) position_[a][k] += step[a];
@@ -93,7 +110,7 @@ void Walls::extrapolate(int threads, const KernelTable& kernels, int dimension,
 
 std::size_t Walls::bytes() const {
   return static_cast<std::size_t>(slots_) * (12 + wall_record_size) * sizeof(double) +
-         wall_.size() * sizeof(std::size_t);
+         3 * built_position_[0].size() * sizeof(double) + wall_.size() * sizeof(std::size_t);
 }
 
 }  // namespace scarp

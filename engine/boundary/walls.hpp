@@ -39,6 +39,16 @@ class Walls {
 
   /// Moves the dummies of a wall.
   void move(std::size_t wall, const Vec3& step);
+  /// Puts the dummies at x of all, then y, then z.
+  void move_to(std::span<const double> positions);
+  /// The lists have been built of the present positions.
+  void mark_built();
+  bool have_moved() const { return !built_position_[0].empty(); }
+  const double* position(std::size_t axis) const { return position_[axis].data(); }
+  /// When the lists were built.
+  const double* built_position(std::size_t axis) const {
+    return (have_moved() ? built_position_ : position_)[axis].data();
+  }
 
   /// Positions and velocities of the walls into the records; `extrapolate` follows.
   void pack(Records& records, double inverse_smoothing_length, const WallMaterial& material,
@@ -50,8 +60,11 @@ class Walls {
   std::size_t bytes() const;
 
  private:
+  void remember_built();
+
   std::int64_t slots_ = 0;
   AlignedVector<double> position_[3];
+  AlignedVector<double> built_position_[3];  ///< empty until something moves
   AlignedVector<double> velocity_[3];
   AlignedVector<double> stress_[6];
   AlignedVector<double> faces_;  ///< kernels::WallSlot

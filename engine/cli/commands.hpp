@@ -2,6 +2,7 @@
 /// The subcommands of `scarp`; each returns the exit code and throws the library's errors.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,13 @@ struct SceneArguments {
 struct RunArguments {
   SceneArguments scene;
   std::string folder;  ///< empty: out/<stem of the scene file>
+  bool quiet = false;
+};
+
+struct ResumeArguments {
+  std::string folder;  ///< of `scarp run`
+  std::string json;
+  RunOptions options;  ///< what is not given is that of the run
   bool quiet = false;
 };
 
@@ -71,10 +79,14 @@ Scene load_scene(const SceneArguments& arguments);
 double option_value(const std::string& option, const std::string& text, const char* bare_unit,
                     kernels::Unit unit);
 
+/// All bytes of a file; empty if it cannot be read.
+std::string read_text(const std::filesystem::path& path);
+
 /// Writes to a file, or to standard output for "-". Errors: FileError.
 void write_text(const std::string& target, const std::string& text);
 
 int run_command(const RunArguments& arguments);
+int resume_command(const ResumeArguments& arguments);
 int check_command(const SceneArguments& arguments);
 int converge_command(const ConvergeArguments& arguments);
 int fos_command(const FosArguments& arguments);

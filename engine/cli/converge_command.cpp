@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -17,6 +15,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/converge/study.hpp"
 #include "engine/errors.hpp"
+#include "engine/output/folder_lock.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/units.hpp"
@@ -27,11 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-std::string read_text(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Coarse to fine. Errors: UsageError for spacings that no order can be told from.
 std::array<double, 3> chosen_spacings(const ConvergeArguments& arguments, double own) {
@@ -146,6 +140,7 @@ int converge_command(const ConvergeArguments& arguments) {
   const fs::path folder = arguments.folder.empty()
                               ? fs::path("out") / (fs::path(own.file).stem().string() + "_converge")
                               : fs::path(arguments.folder);
+  const FolderLock lock(folder);
   const std::vector<EndQuantity> quantities = end_quantities(own);
   catch_interrupts();
   std::array<SpacingRun, 3> runs;

@@ -15,6 +15,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/failure_run.hpp"
+#include "engine/output/folder_lock.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/scene/warnings.hpp"
@@ -90,17 +91,10 @@ void write_outputs(const FosReport& report, const Simulation& settled, const fs:
   std::fflush(stdout);
 }
 
-fs::path made_folder(const FosArguments& arguments, const Scene& scene) {
-  const fs::path folder = arguments.folder.empty()
-                              ? fs::path("out") / (fs::path(scene.file).stem().string() + "_fos")
-                              : fs::path(arguments.folder);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
-                                folder.string(), error.message()));
-  }
-  return folder;
+fs::path output_folder(const FosArguments& arguments, const Scene& scene) {
+  return arguments.folder.empty()
+             ? fs::path("out") / (fs::path(scene.file).stem().string() + "_fos")
+             : fs::path(arguments.folder);
 }
 
 /// Settles, with its cost.
@@ -124,7 +118,8 @@ int fos_command(const FosArguments& arguments) {
   FosReport report;
   report.criterion = choose_criterion(scene, criterion_options(arguments, scene));
   for (const std::string& warning : warnings(scene)) fmt::print(stderr, "warning: {}\n", warning);
-  const fs::path folder = made_folder(arguments, scene);
+  const fs::path folder = output_folder(arguments, scene);
+  const FolderLock lock(folder);
   Simulation simulation(scene, arguments.scene.options);
   if (!arguments.quiet) {
     fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",

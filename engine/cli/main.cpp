@@ -19,11 +19,20 @@ namespace {
 
 using namespace scarp::cli;
 
+void add_isa_option(CLI::App& command, scarp::RunOptions& options) {
+  command.add_option("--isa", options.isa, "Instruction set: sse2, avx2, avx512")
+      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+}
+
+void add_threads_option(CLI::App& command, scarp::RunOptions& options) {
+  command.add_option("--threads", options.threads, "Threads; 0 takes what OpenMP offers")
+      ->check(CLI::Range(0, 4096));
+}
+
 /// What every command with a scene takes.
 void add_common_options(CLI::App& command, SceneArguments& arguments) {
   command.add_option("scene", arguments.file, "The scene, a TOML file")->required();
-  command.add_option("--isa", arguments.options.isa, "Instruction set: sse2, avx2, avx512")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+  add_isa_option(command, arguments.options);
   command.add_option("--preset", arguments.preset, "Replace the scene's preset: modern, paper")
       ->check(CLI::IsMember({"modern", "paper"}));
   command.add_option("--json", arguments.json, "Write the numbers here, - for standard output");
@@ -31,13 +40,25 @@ void add_common_options(CLI::App& command, SceneArguments& arguments) {
 
 void add_scene_options(CLI::App& command, SceneArguments& arguments) {
   add_common_options(command, arguments);
-  command.add_option("--threads", arguments.options.threads, "Threads; 0 takes what OpenMP offers")
-      ->check(CLI::Range(0, 4096));
+  add_threads_option(command, arguments.options);
 }
 
 void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
   command.add_option("--spacing", arguments.spacing,
                      "Replace the particle spacing, e.g. \"0.5 m\"");
+}
+
+CLI::App* add_resume_command(CLI::App& app, ResumeArguments& resume) {
+  CLI::App* command = app.add_subcommand(
+      "resume", "Go on with a run that was stopped or killed, from its last checkpoint");
+  command->add_option("folder", resume.folder, "Output folder of the run")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  add_isa_option(*command, resume.options);
+  add_threads_option(*command, resume.options);
+  command->add_option("--json", resume.json, "Write the numbers here, - for standard output");
+  command->add_flag("-q,--quiet", resume.quiet, "No progress");
+  return command;
 }
 
 CLI::App* add_element_command(CLI::App& app, ElementArguments& element) {
@@ -108,6 +129,9 @@ int run_program(int argc, char** argv) {
                       "Output folder; default out/<name of the scene file>");
   run_app->add_flag("-q,--quiet", run.quiet, "No progress");
 
+  ResumeArguments resume;
+  CLI::App* resume_app = add_resume_command(app, resume);
+
   SceneArguments check;
   CLI::App* check_app = app.add_subcommand(
       "check", "Say what a scene is, uses, leaves out and needs, after a few trial steps");
@@ -146,6 +170,7 @@ int run_program(int argc, char** argv) {
     return app.exit(error) == 0 ? ok : usage;
   }
   if (*run_app) return run_command(run);
+  if (*resume_app) return resume_command(resume);
   if (*check_app) return check_command(check);
   if (*converge_app) return converge_command(converge);
   if (*fos_app) return fos_command(fos);

@@ -8,9 +8,10 @@
 #include <iterator>
 
 #include "engine/cli/commands.hpp"
-#include "engine/cli/interrupt.hpp"
-#include "engine/cli/progress.hpp"
-#include "engine/errors.hpp"
+#include "engine/cli/drive.hpp"
+#include "engine/cli/run_record.hpp"
+#include "engine/output/folder_lock.hpp"
+#include "engine/output/results.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/scene_reader.hpp"
@@ -18,15 +19,6 @@
 #include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
-namespace {
-
-std::string read_text(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-}  // namespace
-
 double option_value(const std::string& option, const std::string& text, const char* bare_unit,
                     kernels::Unit unit) {
   const bool bare = text.find_first_not_of("0123456789.+-eE") == std::string::npos;
@@ -37,12 +29,25 @@ double option_value(const std::string& option, const std::string& text, const ch
   }
 }
 
-Scene load_scene(const SceneArguments& arguments) {
+namespace {
+
+SceneOverrides overrides_of(const SceneArguments& arguments) {
   SceneOverrides overrides{arguments.preset, 0.0};
   if (!arguments.spacing.empty()) {
     overrides.spacing = option_value("--spacing", arguments.spacing, "m", kernels::Unit::length);
   }
-  return read_scene(arguments.file, overrides);
+  return overrides;
+}
+
+}  // namespace
+
+Scene load_scene(const SceneArguments& arguments) {
+  return read_scene(arguments.file, overrides_of(arguments));
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 void write_text(const std::string& target, const std::string& text) {
@@ -66,34 +71,12 @@ int run_command(const RunArguments& arguments) {
                scene.title.empty() ? arguments.scene.file : scene.title, simulation.soil_count(),
                simulation.wall_count(), simulation.isa(), simulation.threads(), folder.string());
   }
+  const FolderLock lock(folder);
+  begin_run(folder,
+            {program_version(), scene.file, read_text(scene.file), overrides_of(arguments.scene),
+             simulation.isa(), arguments.scene.options.threads});
   RunWriter writer(simulation, folder);
-  Progress progress(total_duration(scene), arguments.quiet);
-  catch_interrupts();
-  const auto finish = [&] {
-    progress.end();
-    if (!arguments.scene.json.empty()) {
-      write_text(arguments.scene.json, read_text(folder / "results.json"));
-    }
-  };
-  double wall_seconds = 0.0;
-  try {
-    wall_seconds = run(simulation, &writer, [&progress](const Simulation& now) {
-      progress.update(now);
-      return !stop_requested();
-    });
-  } catch (const SimulationInstability&) {
-    finish();
-    fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
-               writer.frame_count(), folder.string());
-    throw;
-  }
-  finish();
-  if (!arguments.quiet) {
-    fmt::print(stderr, "{} after {} steps, {:.4g} s simulated in {}; results in {}\n",
-               stop_requested() ? "stopped" : "done", simulation.last_step().step,
-               simulation.last_step().time, readable_duration(wall_seconds), folder.string());
-  }
-  return stop_requested() ? interrupted : ok;
+  return drive(simulation, writer, {arguments.scene.json, arguments.quiet});
 }
 
 }  // namespace scarp::cli

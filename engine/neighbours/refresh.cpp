@@ -31,21 +31,50 @@ void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
   state.particles.permute(state.threads, order);
 }
 
-void rebuild(State& state) {
-  const double reach = (2.0 + state.scene.numerics.skin) * state.smoothing_length;
-  const double cell = 0.5 * reach;
+double list_reach(const State& state) {
+  return (2.0 + state.scene.numerics.skin) * state.smoothing_length;
+}
+
+std::vector<SlotRange> soil_ranges(const State& state) {
   std::vector<SlotRange> ranges;
-  std::vector<double> k0;
-  for (const ParticleGroup& group : state.particles.groups()) {
+  for (const ParticleGroup& group : state.particles.groups())
     ranges.push_back({group.first, group.end()});
-    k0.push_back(state.material_constants[group.material].k0);
-  }
-  state.soil_cells.build(state.threads, points_of(state.particles), ranges, cell);
+  return ranges;
+}
+
+void build_soil_cells(State& state, const std::vector<SlotRange>& ranges) {
+  state.soil_cells.build(state.threads, points_of(state.particles), ranges,
+                         0.5 * list_reach(state));
+}
+
+double pack_soil(State& state) {
+  return state.records.pack_soil(state.threads, state.particles, state.scaling);
+}
+
+void pack_images(State& state) {
+  state.images.pack(state.records, state.scaling.inverse_smoothing_length, state.wall_offset,
+                    state.wall_velocity, state.scene.gravity);
+}
+
+void rebuild(State& state) {
   if (state.rebuilds % rebuilds_per_sort == 0) {
+    const std::vector<SlotRange> ranges = soil_ranges(state);
+    build_soil_cells(state, ranges);
     sort_particles(state, ranges);
-    state.soil_cells.build(state.threads, points_of(state.particles), ranges, cell);
   }
   ++state.rebuilds;
+  build_lists(state);
+}
+
+}  // namespace
+
+void build_lists(State& state) {
+  const double reach = list_reach(state), cell = 0.5 * reach;
+  const std::vector<SlotRange> ranges = soil_ranges(state);
+  std::vector<double> k0;
+  for (const ParticleGroup& group : state.particles.groups())
+    k0.push_back(state.material_constants[group.material].k0);
+  build_soil_cells(state, ranges);
 
   const int dimension = state.scene.dimension;
   // Dummies beside a plane need the images their own stress is taken from: twice the reach of the
@@ -86,26 +115,27 @@ void rebuild(State& state) {
     std::copy(from, from + state.particles.slots(),
               state.particles.component(Field::build_position, a));
   }
+  state.walls.mark_built();
+  state.built_wall_offset = state.wall_offset;
   state.walls_moved = 0.0;
   state.lists_valid = true;
 }
 
-}  // namespace
+void pack_records(State& state) {
+  pack_soil(state);
+  pack_images(state);
+}
 
 void refresh_neighbours(State& state) {
-  const auto pack = [&state] {
-    return state.records.pack_soil(state.threads, state.particles, state.scaling);
-  };
-  const double moved = state.lists_valid ? std::sqrt(pack()) : 0.0;
+  const double moved = state.lists_valid ? std::sqrt(pack_soil(state)) : 0.0;
   const double walls_moved = state.walls_moved;
   // Two particles, or a particle and a wall, may close the skin from both sides.
   const double skin = state.scene.numerics.skin * state.smoothing_length;
   if (!state.lists_valid || moved + std::max(moved, walls_moved) > skin) {
     rebuild(state);
-    pack();
+    pack_soil(state);
   }
-  state.images.pack(state.records, state.scaling.inverse_smoothing_length, state.wall_offset,
-                    state.wall_velocity, state.scene.gravity);
+  pack_images(state);
 }
 
 }  // namespace scarp

@@ -87,12 +87,22 @@ std::string frame_name(std::string_view name, std::size_t number) {
   return fmt::format("{}_{:05}.hdf", name, number);
 }
 
-void remove_earlier_frames(const std::filesystem::path& folder) {
-  static const std::regex ours(R"((soil|walls)(_\d+)?\.hdf(\.series)?(\.part)?)");
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (std::regex_match(entry.path().filename().string(), ours)) {
-      std::filesystem::remove(entry.path());
+/// Makes the folder; removes frames from number `kept` on, half-written files, and with no frame
+/// kept all that is not numbered.
+void clear_frames(const std::filesystem::path& folder, std::size_t kept) {
+  static const std::regex ours(R"((?:soil|walls)(?:_(\d{5,9}))?\.hdf(?:\.series)?(\.part)?)");
+  try {
+    std::filesystem::create_directories(folder);
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      std::smatch parts;
+      if (!std::regex_match(name, parts, ours)) continue;
+      const bool goes = parts[1].matched ? std::stoul(parts[1]) >= kept : kept == 0;
+      if (goes || parts[2].matched) std::filesystem::remove(entry.path());
     }
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw FileError(fmt::format("'{}': cannot be used as output folder: {}.", folder.string(),
+                                error.code().message()));
   }
 }
 
@@ -127,28 +137,59 @@ void write_wall_frame(const std::filesystem::path& path, const Simulation& simul
 }
 
 FrameWriter::FrameWriter(const Simulation& simulation, std::filesystem::path folder)
-    : folder_(std::move(folder)), walls_change_(any_wall_changes(simulation.scene())) {
-  try {
-    std::filesystem::create_directories(folder_);
-    remove_earlier_frames(folder_);
-  } catch (const std::filesystem::filesystem_error& error) {
-    throw FileError(fmt::format("'{}': cannot be used as output folder: {}.", folder_.string(),
-                                error.code().message()));
+    : folder_(std::move(folder)),
+      has_walls_(!simulation.scene().walls.empty()),
+      walls_change_(any_wall_changes(simulation.scene())) {
+  clear_frames(folder_, 0);
+}
+
+FrameWriter::FrameWriter(const Simulation& simulation, std::filesystem::path folder,
+                         const Snapshot& progress)
+    : folder_(std::move(folder)),
+      times_(progress.numbers("outputs/frame_times")),
+      flushed_(times_.size()),
+      has_walls_(!simulation.scene().walls.empty()),
+      walls_change_(any_wall_changes(simulation.scene())) {
+  for (std::size_t number = 0; number < count(); ++number) {
+    for (const std::filesystem::path& path : files_of_frame(number)) {
+      std::error_code error;
+      if (std::filesystem::exists(path, error)) continue;
+      throw CheckpointError(
+          fmt::format("'{}': is gone, but the run had written it. Try the checkpoint before it, or "
+                      "put it back.",
+                      path.string()));
+    }
   }
+  clear_frames(folder_, count());
+  write_lists();
+}
+
+std::vector<std::filesystem::path> FrameWriter::files_of_frame(std::size_t number) const {
+  std::vector<std::filesystem::path> files{folder_ / frame_name("soil", number)};
+  if (has_walls_ && walls_change_) files.push_back(folder_ / frame_name("walls", number));
+  if (has_walls_ && !walls_change_ && number == 0) files.push_back(folder_ / "walls.hdf");
+  return files;
+}
+
+void FrameWriter::add_progress(Snapshot& snapshot) {
+  for (; flushed_ < count(); ++flushed_) {
+    for (const std::filesystem::path& path : files_of_frame(flushed_)) flush_to_disk(path);
+  }
+  flush_to_disk(folder_);
+  snapshot.add("outputs/frame_times", "s", times_);
 }
 
 void FrameWriter::write(const Simulation& simulation, std::string_view event) {
-  const std::size_t number = times_.size();
-  write_soil_frame(folder_ / frame_name("soil", number), simulation, event);
-  const bool has_walls = !simulation.scene().walls.empty();
-  if (has_walls && walls_change_) {
-    write_wall_frame(folder_ / frame_name("walls", number), simulation);
-  } else if (has_walls && number == 0) {
-    write_wall_frame(folder_ / "walls.hdf", simulation);
-  }
+  const std::vector<std::filesystem::path> files = files_of_frame(count());
+  write_soil_frame(files.front(), simulation, event);
+  if (files.size() > 1) write_wall_frame(files.back(), simulation);
   times_.push_back(simulation.last_step().time);
+  write_lists();
+}
+
+void FrameWriter::write_lists() const {
   write_series("soil");
-  if (has_walls && walls_change_) write_series("walls");
+  if (has_walls_ && walls_change_) write_series("walls");
 }
 
 void FrameWriter::write_series(std::string_view name) const {

@@ -31,16 +31,27 @@ class FrameWriter {
   /// Makes the folder and removes frames an earlier run left there. Errors: FileError.
   FrameWriter(const Simulation& simulation, std::filesystem::path folder);
 
+  /// Goes on with the frames of a run of which `progress` is a snapshot; later ones are removed.
+  /// Errors: CheckpointError if frames are missing.
+  FrameWriter(const Simulation& simulation, std::filesystem::path folder, const Snapshot& progress);
+
   /// Errors: FileError; the frames before stay valid.
   void write(const Simulation& simulation, std::string_view event);
+
+  /// Flushes the frames to the disk and adds their times. Errors: FileError.
+  void add_progress(Snapshot& snapshot);
 
   std::size_t count() const { return times_.size(); }
 
  private:
+  std::vector<std::filesystem::path> files_of_frame(std::size_t number) const;
+  void write_lists() const;
   void write_series(std::string_view name) const;
 
   std::filesystem::path folder_;
   std::vector<double> times_;
+  std::size_t flushed_ = 0;  ///< frames known to be on the disk
+  bool has_walls_ = false;
   bool walls_change_ = false;
 };
 

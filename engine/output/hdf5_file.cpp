@@ -15,7 +15,17 @@
 namespace scarp::hdf5 {
 namespace {
 
-/// HDF5's own words for the last failure: the innermost entry of its error stack.
+template <class T>
+std::pair<hid_t, hid_t> memory_and_file_type() {
+  if constexpr (std::is_same_v<T, float>) return {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE};
+  if constexpr (std::is_same_v<T, double>) return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
+  if constexpr (std::is_same_v<T, std::int32_t>) return {H5T_NATIVE_INT32, H5T_STD_I32LE};
+  if constexpr (std::is_same_v<T, std::int64_t>) return {H5T_NATIVE_INT64, H5T_STD_I64LE};
+  if constexpr (std::is_same_v<T, std::uint8_t>) return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
+}
+
+}  // namespace
+
 std::string last_reason() {
   std::string reason;
   H5Ewalk2(
@@ -28,17 +38,6 @@ std::string last_reason() {
   return reason.empty() ? "no reason given" : reason;
 }
 
-template <class T>
-std::pair<hid_t, hid_t> memory_and_file_type() {
-  if constexpr (std::is_same_v<T, float>) return {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE};
-  if constexpr (std::is_same_v<T, double>) return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
-  if constexpr (std::is_same_v<T, std::int32_t>) return {H5T_NATIVE_INT32, H5T_STD_I32LE};
-  if constexpr (std::is_same_v<T, std::int64_t>) return {H5T_NATIVE_INT64, H5T_STD_I64LE};
-  if constexpr (std::is_same_v<T, std::uint8_t>) return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
-}
-
-}  // namespace
-
 QuietErrors::QuietErrors() {
   H5Eget_auto2(H5E_DEFAULT, &print_, &client_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -46,12 +45,16 @@ QuietErrors::QuietErrors() {
 
 QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, print_, client_data_); }
 
-NewFile::NewFile(std::filesystem::path path) : path_(std::move(path)), file_(create_in_memory()) {}
+NewFile::NewFile(std::filesystem::path path, Layout layout)
+    : path_(std::move(path)), layout_(layout), file_(create_in_memory()) {}
 
 Handle NewFile::create_in_memory() const {
   Handle access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "its access list");
   constexpr std::size_t growth = 1 << 20;
   check(H5Pset_fapl_core(access.get(), growth, false), "its access list");
+  if (layout_ == Layout::summed) {
+    check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "its version");
+  }
   return checked(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
                  "creating it");
 }
@@ -68,8 +71,11 @@ void NewFile::dataset(const std::string& name, const std::vector<T>& values, con
   const auto [memory_type, file_type] = memory_and_file_type<T>();
   Handle space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                          H5Sclose, name);
-  Handle set = checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT,
-                                  H5P_DEFAULT, H5P_DEFAULT),
+  const Handle links = checked(H5Pcreate(H5P_LINK_CREATE), H5Pclose, name);
+  check(H5Pset_create_intermediate_group(links.get(), 1), name);
+  const Handle storage = storage_of(shape, values.size() * sizeof(T), name);
+  Handle set = checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), links.get(),
+                                  storage.get(), H5P_DEFAULT),
                        H5Dclose, name);
   if (!values.empty()) {
     check(H5Dwrite(set.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
@@ -116,14 +122,36 @@ void NewFile::attribute(const std::string& object, const char* name,
             checked(H5Screate_simple(1, &count, nullptr), H5Sclose, name), values.data());
 }
 
-void NewFile::commit() {
+/// Without the time of making, so that equal runs leave equal files.
+Handle NewFile::storage_of(const Shape& shape, std::size_t bytes, std::string_view name) const {
+  Handle storage = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  check(H5Pset_obj_track_times(storage.get(), false), name);
+  if (layout_ == Layout::plain) return storage;
+  constexpr std::size_t small = 4096;
+  if (bytes <= small) {
+    check(H5Pset_layout(storage.get(), H5D_COMPACT), name);
+    return storage;
+  }
+  constexpr hsize_t longest = 65536;
+  const hsize_t pieces = (shape.back() + longest - 1) / longest;
+  Shape chunk(shape.size(), 1);
+  chunk.back() = (shape.back() + pieces - 1) / pieces;  // equal ones: the last is stored in full
+  check(H5Pset_chunk(storage.get(), static_cast<int>(chunk.size()), chunk.data()), name);
+  check(H5Pset_fletcher32(storage.get()), name);
+  return storage;
+}
+
+void NewFile::commit() { replace_file(path_, bytes()); }
+
+std::string_view NewFile::bytes() {
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flushing it");
+  // Of H5Fget_file_image only the size: it copies, and zeroes bytes where the oldest format has its
+  // flags.
   const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
   check(size < 0 ? -1 : 0, "measuring it");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  check(H5Fget_file_image(file_.get(), image.data(), image.size()) < 0 ? -1 : 0, "copying it");
-  check(file_.close(), "closing it");
-  replace_file(path_, image);
+  void* memory = nullptr;
+  check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &memory), "finding it in memory");
+  return {*static_cast<const char* const*>(memory), static_cast<std::size_t>(size)};
 }
 
 Handle NewFile::checked(hid_t id, Handle::Close close, std::string_view what) const {

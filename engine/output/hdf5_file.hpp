@@ -45,6 +45,14 @@ class QuietErrors {
   void* client_data_ = nullptr;
 };
 
+/// HDF5's own words for the last failure: the innermost entry of its error stack.
+std::string last_reason();
+
+/// `plain`: contiguous data in the oldest format, which every reader takes. `summed`: checksums
+/// over metadata (format of HDF5 1.8; later ones mark a file in memory as open) and data
+/// (fletcher32, small sets as part of the metadata).
+enum class Layout { plain, summed };
+
 /// Built in memory; PATH appears, complete, with `commit()`. Without it nothing stays behind. In
 /// memory, because HDF5 keeps a file it could not write open, and crashes on it when the program
 /// ends. Errors: every member throws FileError, naming the file and HDF5's reason.
@@ -52,7 +60,7 @@ class NewFile {
  public:
   using Shape = std::vector<hsize_t>;
 
-  explicit NewFile(std::filesystem::path path);
+  explicit NewFile(std::filesystem::path path, Layout layout = Layout::plain);
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
@@ -69,17 +77,21 @@ class NewFile {
   void attribute(const std::string& object, const char* name,
                  const std::vector<std::int64_t>& values);
   void commit();
+  /// The whole file as it is now, until something is added or the object goes.
+  std::string_view bytes();
 
  private:
   void attribute(const std::string& object, const char* name, hid_t type, const Handle& space,
                  const void* data);
   Handle create_in_memory() const;
+  Handle storage_of(const Shape& shape, std::size_t bytes, std::string_view name) const;
   Handle checked(hid_t id, Handle::Close close, std::string_view what) const;
   void check(herr_t status, std::string_view what) const;
   [[noreturn]] void fail(std::string_view what) const;
 
   QuietErrors quiet_;
   std::filesystem::path path_;
+  Layout layout_;
   Handle file_;
 };
 

@@ -79,6 +79,15 @@ Titles energy_titles(const Scene& scene) {
   return titles;
 }
 
+std::string bytes_item(const char* name) { return fmt::format("outputs/{}_bytes", name); }
+
+CsvFile table(const std::filesystem::path& folder, const char* name, const Snapshot* progress,
+              const Titles& titles) {
+  const std::filesystem::path path = folder / fmt::format("{}.csv", name);
+  if (progress == nullptr) return {path, titles};
+  return {path, static_cast<std::uintmax_t>(progress->integers(bytes_item(name), 1).front())};
+}
+
 const char* limit_name(StepLimit limit) {
   switch (limit) {
     case StepLimit::courant:
@@ -98,12 +107,30 @@ const char* limit_name(StepLimit limit) {
 }  // namespace
 
 ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder)
-    : history_(folder / "history.csv",
-               {"time [s]", "stage", "step", "time_step [s]", "limit", "max_velocity [m/s]"}) {
+    : ProbeWriter(simulation, folder, nullptr) {}
+ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
+                         const Snapshot& progress)
+    : ProbeWriter(simulation, folder, &progress) {}
+
+ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
+                         const Snapshot* progress)
+    : history_(
+          table(folder, "history", progress,
+                {"time [s]", "stage", "step", "time_step [s]", "limit", "max_velocity [m/s]"})) {
   const Scene& scene = simulation.scene();
-  if (!scene.probes.empty()) probes_.emplace(folder / "probes.csv", probe_titles(scene));
-  if (!scene.walls.empty()) walls_.emplace(folder / "walls.csv", wall_titles(scene));
-  if (scene.output.energy) energy_.emplace(folder / "energy.csv", energy_titles(scene));
+  if (!scene.probes.empty()) probes_ = table(folder, "probes", progress, probe_titles(scene));
+  if (!scene.walls.empty()) walls_ = table(folder, "walls", progress, wall_titles(scene));
+  if (scene.output.energy) energy_ = table(folder, "energy", progress, energy_titles(scene));
+}
+
+void ProbeWriter::add_progress(Snapshot& snapshot) const {
+  const auto add = [&snapshot](const char* name, const CsvFile& file) {
+    snapshot.add(bytes_item(name), std::vector{static_cast<std::int64_t>(file.flushed_bytes())});
+  };
+  add("history", history_);
+  if (probes_) add("probes", *probes_);
+  if (walls_) add("walls", *walls_);
+  if (energy_) add("energy", *energy_);
 }
 
 void ProbeWriter::write(const Simulation& simulation) {

@@ -18,10 +18,19 @@ class ProbeWriter {
  public:
   /// Errors: FileError.
   ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder);
+  /// Goes on with the tables of a run of which `progress` is a snapshot. Errors: CheckpointError if
+  /// rows are missing.
+  ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
+              const Snapshot& progress);
   /// Errors: FileError; the rows before stay.
   void write(const Simulation& simulation);
+  /// Flushes the tables to the disk and adds their sizes. Errors: FileError.
+  void add_progress(Snapshot& snapshot) const;
 
  private:
+  ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
+              const Snapshot* progress);
+
   CsvFile history_;
   std::optional<CsvFile> probes_, walls_, energy_;
 };

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <system_error>
 
 #include "engine/errors.hpp"
@@ -62,6 +63,62 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder)
   write_row(simulation);
 }
 
+RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
+                     const Snapshot& progress)
+    : folder_(made(std::move(folder))), histories_(simulation, folder_, progress) {
+  std::error_code ignored;
+  std::filesystem::remove(folder_ / "results.json", ignored);
+  if (simulation.scene().output.frames) frames_.emplace(simulation, folder_ / "frames", progress);
+  enter_stage(simulation);
+  const std::vector<double>& due = progress.numbers("outputs/next_frame_and_row", 2);
+  next_frame_ = due[0];
+  next_row_ = due[1];
+  const auto step_of = [&progress](const char* item) -> std::optional<std::uint64_t> {
+    const std::int64_t step = progress.integers(item, 1).front();
+    if (step < 0) return {};
+    return static_cast<std::uint64_t>(step);
+  };
+  frame_step_ = step_of("outputs/frame_step");
+  row_step_ = step_of("outputs/row_step");
+  seconds_before_ = progress.numbers("outputs/wall_seconds", 1).front();
+  std::istringstream names(progress.text("outputs/ended_stages"));
+  const std::vector<double>& times = progress.numbers("outputs/end_times");
+  const std::vector<std::int64_t>& steps = progress.integers("outputs/end_steps", times.size());
+  const std::vector<std::int64_t>& rest = progress.integers("outputs/reached_rest", times.size());
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    std::string name;
+    std::getline(names, name);
+    stages_.push_back({name, times[k], static_cast<std::uint64_t>(steps[k]), rest[k] != 0});
+  }
+}
+
+void RunWriter::add_progress(Snapshot& snapshot) {
+  histories_.add_progress(snapshot);
+  if (frames_) frames_->add_progress(snapshot);
+  snapshot.add("outputs/next_frame_and_row", "s", {next_frame_, next_row_});
+  const auto add_step = [&snapshot](const char* item, const std::optional<std::uint64_t>& step) {
+    snapshot.add(item, std::vector<std::int64_t>{step ? static_cast<std::int64_t>(*step) : -1});
+  };
+  add_step("outputs/frame_step", frame_step_);
+  add_step("outputs/row_step", row_step_);
+  const auto now = std::chrono::steady_clock::now();
+  snapshot.add("outputs/wall_seconds", "s",
+               {seconds_before_ + std::chrono::duration<double>(now - began_).count()});
+  std::string names;
+  std::vector<std::int64_t> steps, rest;
+  std::vector<double> times;
+  for (const StageResult& stage : stages_) {
+    names += stage.name + '\n';
+    steps.push_back(static_cast<std::int64_t>(stage.end_step));
+    rest.push_back(stage.reached_rest);
+    times.push_back(stage.end_time);
+  }
+  snapshot.add("outputs/ended_stages", std::move(names));
+  snapshot.add("outputs/end_steps", std::move(steps));
+  snapshot.add("outputs/reached_rest", std::move(rest));
+  snapshot.add("outputs/end_times", "s", std::move(times));
+}
+
 void RunWriter::enter_stage(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
   stage_ = simulation.stage_index();
@@ -100,7 +157,7 @@ void RunWriter::finish(const Simulation& simulation, double wall_seconds,
   write_frame(simulation, failure.empty() ? "last" : "stopped");
   write_row(simulation);
   write_results(folder_ / "results.json", simulation,
-                {case_name(simulation.scene(), folder_), wall_seconds, stages_,
+                {case_name(simulation.scene(), folder_), seconds_before_ + wall_seconds, stages_,
                  measures_ ? *measures_ : basic_measures(simulation), failure});
 }
 

@@ -2,6 +2,7 @@
 /// All outputs of one run in one folder, and the loop that drives a run.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -25,6 +26,11 @@ class RunWriter {
   /// Writes the initial state. Errors: FileError.
   RunWriter(const Simulation& simulation, std::filesystem::path folder);
 
+  /// Goes on with the outputs of a run of which `progress` is a snapshot, as if it had never
+  /// stopped: what was written later is taken back. Errors: FileError; CheckpointError if something
+  /// that had been written is missing.
+  RunWriter(const Simulation& simulation, std::filesystem::path folder, const Snapshot& progress);
+
   /// Call after each step. Errors: FileError.
   void after_step(const Simulation& simulation);
 
@@ -34,6 +40,9 @@ class RunWriter {
 
   /// Replaces the basic measures that `finish` writes (a validation case has its own).
   void set_measures(std::vector<Measure> measures) { measures_ = std::move(measures); }
+
+  /// Flushes everything to the disk and adds how far the outputs have come. Errors: FileError.
+  void add_progress(Snapshot& snapshot);
 
   const std::filesystem::path& folder() const { return folder_; }
   std::size_t frame_count() const { return frames_ ? frames_->count() : 0; }
@@ -52,12 +61,14 @@ class RunWriter {
   double frame_interval_ = 0.0, row_interval_ = 0.0;  ///< [s]; infinite: none between start and end
   double next_frame_ = 0.0, next_row_ = 0.0;          ///< in stage time [s]
   std::optional<std::uint64_t> frame_step_, row_step_;
+  double seconds_before_ = 0.0;  ///< wall time that the run took before it was resumed
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-/// Steps until the last stage has ended; returns the wall time [s]. `writer` may be null. `proceed`
-/// is called after each step; false ends the run early, with its outputs finished and marked
-/// incomplete. Errors: those of `Simulation::step()` and of the writer; after SimulationInstability
-/// the outputs have been finished and hold the last state.
+/// Steps until the last stage has ended; returns the wall time of these steps [s]. `writer` may be
+/// null. `proceed` is called after each step; false ends the run early, with its outputs finished
+/// and marked incomplete. Errors: those of `Simulation::step()` and of the writer; after
+/// SimulationInstability the outputs have been finished and hold the last state.
 double run(Simulation& simulation, RunWriter* writer,
            const std::function<bool(const Simulation&)>& proceed = {});
 

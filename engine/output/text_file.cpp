@@ -3,9 +3,14 @@
 
 #include "engine/output/text_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "engine/errors.hpp"
 
@@ -18,6 +23,36 @@ namespace {
       "is not full.",
       path.string()));
 }
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  throw FileError(
+      fmt::format("'{}': cannot be written: {}. Check that the folder exists and may be written, "
+                  "and that the disk is not full.",
+                  path.string(), std::generic_category().message(error)));
+}
+
+class Descriptor {
+ public:
+  Descriptor(const std::filesystem::path& path, int flags)
+      : path_(path), number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (number_ < 0) fail(path_, errno);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  int get() const { return number_; }
+  int close() { return number_ < 0 ? 0 : ::close(std::exchange(number_, -1)); }
+  void write(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = ::write(number_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) fail(path_, errno);
+      if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+ private:
+  std::filesystem::path path_;
+  int number_;
+};
 
 }  // namespace
 
@@ -34,6 +69,52 @@ void replace_file(const std::filesystem::path& path, std::string_view text) {
   }
   std::filesystem::rename(part, path, error);
   if (error) fail(path);
+}
+
+void flush_to_disk(const std::filesystem::path& path) {
+  const Descriptor file(path, O_RDONLY);
+  if (::fsync(file.get()) != 0) fail(path, errno);
+}
+
+void replace_file_durably(const std::filesystem::path& path,
+                          std::span<const std::string_view> parts) {
+  std::filesystem::path part = path;
+  part += ".part";
+  try {
+    Descriptor file(part, O_WRONLY | O_CREAT | O_TRUNC);
+    for (const std::string_view text : parts) file.write(text);
+    if (::fsync(file.get()) != 0) fail(path, errno);
+    if (file.close() != 0) fail(path, errno);
+    if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, errno);
+  } catch (const FileError&) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
+  flush_to_disk(path.parent_path());
+}
+
+CsvFile::CsvFile(std::filesystem::path path, std::uintmax_t bytes) : path_(std::move(path)) {
+  std::error_code error;
+  const std::uintmax_t present = std::filesystem::file_size(path_, error);
+  if (error || present < bytes) {
+    throw CheckpointError(fmt::format(
+        "'{}': {}, but the checkpoint goes on behind its first {} bytes. Try the checkpoint before "
+        "it.",
+        path_.string(), error ? error.message() : fmt::format("has {} bytes", present), bytes));
+  }
+  std::filesystem::resize_file(path_, bytes, error);
+  if (error) fail(path_);
+  stream_.open(path_, std::ios::binary | std::ios::app);
+  check();
+}
+
+std::uintmax_t CsvFile::flushed_bytes() const {
+  flush_to_disk(path_);
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path_, error);
+  if (error) fail(path_);
+  return bytes;
 }
 
 CsvFile::CsvFile(std::filesystem::path path, const std::vector<std::string>& header)

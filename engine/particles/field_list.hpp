@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The one table of particle fields: it drives allocation, sorting and output.
+/// The one table of particle fields: it drives allocation, sorting, snapshots and output.
 #pragma once
 
 #include <array>
@@ -7,8 +7,10 @@
 
 namespace scarp {
 
-/// What a field must survive: `state` is carried through a re-sort, `rate` lives within a step.
-enum class Lifetime { state, rate };
+/// What a field must survive: `state` is carried through a re-sort; `step_end` is a rate that the
+/// next step's size is chosen by, before any re-sort; `rate` lives within a step. A snapshot holds
+/// the first two.
+enum class Lifetime { state, step_end, rate };
 
 enum class Field : std::size_t {
   position,
@@ -81,7 +83,7 @@ inline constexpr std::array<FieldRow, static_cast<std::size_t>(Field::count)> fi
      "velocity gradient as the sweep sums it"},
     {Field::moment, "moment", "-", Rank::symmetric, Lifetime::rate, false,
      "moment of the gradient correction"},
-    {Field::approach_rate, "approach_rate", "m/s", Rank::scalar, Lifetime::rate, false,
+    {Field::approach_rate, "approach_rate", "m/s", Rank::scalar, Lifetime::step_end, false,
      "largest rate of approach of a neighbour"},
     {Field::diffusion_rate, "diffusion_rate", "Pa/s", Rank::symmetric, Lifetime::rate, false,
      "stress rate of the diffusion before its lithostatic part"},

@@ -17,6 +17,7 @@ void read_initial(const Value& section, Scene& scene);
 std::vector<Stage> read_stages(const std::vector<Value>& items);
 Probe read_probe(const Value& item, int dimension);
 Output read_output(const Value& section);
+Checkpoints read_checkpoints(const Value& section);
 
 /// Two components in 2D, three in 3D; the third is 0 in 2D.
 Vec3 read_vector(const Value& value, kernels::Unit unit, int dimension);

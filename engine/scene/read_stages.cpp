@@ -104,4 +104,17 @@ Output read_output(const Value& section) {
   return output;
 }
 
+Checkpoints read_checkpoints(const Value& section) {
+  const Table table = section.table({"every", "wall_every", "on_error"});
+  Checkpoints checkpoints;
+  if (const auto every = table.find("every")) checkpoints.interval = every->number(Unit::time);
+  if (const auto every = table.find("wall_every")) {
+    checkpoints.wall_interval = every->number(Unit::time);
+  }
+  if (const auto action = table.find("on_error")) {
+    checkpoints.stop_on_error = action->choice("continue|stop") == 1;
+  }
+  return checkpoints;
+}
+
 }  // namespace scarp::input

@@ -142,6 +142,13 @@ struct Output {
   bool energy = false;  ///< sum dissipation (costs a few per cent)
 };
 
+/// When `scarp run` keeps the state of a run in a file.
+struct Checkpoints {
+  double wall_interval = 600.0;  ///< [s] by the clock; 0: never
+  double interval = 0.0;         ///< [s] of simulated time; 0: never
+  bool stop_on_error = false;    ///< end the run if one cannot be written
+};
+
 struct Scene {
   std::string title;
   std::string file;  ///< where it was read from; empty if built in code
@@ -158,6 +165,7 @@ struct Scene {
   std::vector<Stage> stages;
   std::vector<Probe> probes;
   Output output;
+  Checkpoints checkpoints;
 };
 
 /// The rows of the named preset ("paper" or "modern"); throws SceneError for another name.

@@ -83,7 +83,7 @@ Scene read_document(const Value& document, const std::string& name,
                     const SceneOverrides& overrides) {
   const Table root =
       document.table({"title", "dimension", "gravity", "spacing", "preset", "numerics", "material",
-                      "body", "wall", "initial", "stage", "probe", "output"});
+                      "body", "wall", "initial", "stage", "probe", "output", "checkpoint"});
   Scene scene;
   scene.file = name;
   if (const auto title = root.find("title")) scene.title = title->text();
@@ -123,6 +123,9 @@ Scene read_document(const Value& document, const std::string& name,
     scene.probes.push_back(input::read_probe(item, d));
   }
   if (const auto output = root.find("output")) scene.output = input::read_output(*output);
+  if (const auto checkpoint = root.find("checkpoint")) {
+    scene.checkpoints = input::read_checkpoints(*checkpoint);
+  }
   return scene;
 }
 

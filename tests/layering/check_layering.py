@@ -14,6 +14,7 @@ CODE_FOLDERS = ("kernels", "engine", "bench", "validation", "tests")
 THIRD_PARTY = {
     "xsimd": (r"xsimd/", ("kernels/", "tests/kernels/", "bench/")),
     "HDF5": (r"(hdf5|H5\w*|hdf5_hl)\.h", ("engine/output/", "tests/engine/")),
+    "zlib": (r"zlib\.h", ("engine/output/", "tests/engine/")),
     "OpenMP": (r"omp\.h", ("engine/parallel.",)),
     "Eigen": (r"Eigen/", ("engine/", "validation/", "tests/")),
     "toml++": (r"toml(\+\+|plusplus)?[/.]", ("engine/scene/", "engine/cli/", "validation/", "tests/")),

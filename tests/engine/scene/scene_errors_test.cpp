@@ -153,6 +153,10 @@ const Bad table[] = {
     {in_3d, "28 - max(x, y)", "28 - max(x, q)", 65, "Try an expression of x and y"},
     {in_3d, "min(16, max(4, 28 - max(x, y)))", "1 / x", 65, "is not finite"},
     {in_3d, "[[0, 0], [40, 40]]", "[[0, 0], [40, 0]]", 65, "the second is not above the first"},
+    {in_3d, "wall_every = \"2 min\"", "wall_every = \"2 m\"", 113, "checkpoint.wall_every"},
+    {in_3d, "wall_every", "wal_every", 113, "Did you mean 'wall_every'?"},
+    {in_3d, "every = 0.5", "every = -1", 114, "checkpoint.every"},
+    {in_3d, "on_error = \"stop\"", "on_error = \"halt\"", 115, "Try one of continue, stop"},
 };
 
 TEST(SceneErrorsTest, EachBadSceneNamesItsLineAndReason) {

@@ -68,6 +68,9 @@ TEST(SceneReaderTest, ReadsTheSlope) {
   ASSERT_EQ(scene.probes.size(), 1u);
   EXPECT_EQ(scene.probes[0].at, (Vec3{12.0, 15.0, 0.0}));
   EXPECT_EQ(scene.output.frame_interval, 0.1);
+  EXPECT_EQ(scene.checkpoints.wall_interval, 600.0);
+  EXPECT_EQ(scene.checkpoints.interval, 0.0);
+  EXPECT_FALSE(scene.checkpoints.stop_on_error);
 }
 
 TEST(SceneReaderTest, ReadsEverySectionInThreeDimensions) {
@@ -112,6 +115,9 @@ TEST(SceneReaderTest, ReadsEverySectionInThreeDimensions) {
   EXPECT_EQ(scene.output.probe_interval, 0.005);
   EXPECT_FALSE(scene.output.frames);
   EXPECT_TRUE(scene.output.energy);
+  EXPECT_EQ(scene.checkpoints.wall_interval, 120.0);
+  EXPECT_EQ(scene.checkpoints.interval, 0.5);
+  EXPECT_TRUE(scene.checkpoints.stop_on_error);
 }
 
 TEST(SceneReaderTest, EveryRowOfThePresetsCanBeOverridden) {

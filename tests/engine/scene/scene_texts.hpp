@@ -163,6 +163,11 @@ every = 0.1
 probes_every = "5 ms"
 frames = false
 energy = true
+
+[checkpoint]
+wall_every = "2 min"
+every = 0.5
+on_error = "stop"
 )toml";
 
 /// `text` with the first `from` turned into `to`; throws if it does not hold `from`.

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Every value of a scene, line by line.
+#include "engine/checkpoint/scene_text.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace scarp {
+namespace {
+
+class Lines {
+ public:
+  template <class T>
+  void add(std::string_view key, const T& value) {
+    if constexpr (std::is_enum_v<T>) {
+      add(key, static_cast<int>(value));
+    } else {
+      fmt::format_to(std::back_inserter(text_), "{}{} = {}\n", section_, key, value);
+    }
+  }
+  void section(std::string name) { section_ = std::move(name); }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string section_, text_;
+};
+
+void add_numerics(Lines& lines, const Numerics& n) {
+  lines.section("numerics.");
+  lines.add("smoothing", n.smoothing);
+  lines.add("smoothing_ratio", n.smoothing_ratio);
+  lines.add("lattice_normalisation", n.lattice_normalisation);
+  lines.add("gradient_correction", n.gradient_correction);
+  lines.add("stress_rotation", n.stress_rotation);
+  lines.add("plasticity", n.plasticity);
+  lines.add("viscosity_alpha", n.viscosity_alpha);
+  lines.add("viscosity_beta", n.viscosity_beta);
+  lines.add("artificial_stress", n.artificial_stress);
+  lines.add("artificial_stress_exponent", n.artificial_stress_exponent);
+  lines.add("stress_diffusion", n.stress_diffusion);
+  lines.add("diffusion_shear_gate", n.diffusion_shear_gate);
+  lines.add("integrator", n.integrator);
+  lines.add("verlet_restart_interval", n.verlet_restart_interval);
+  lines.add("cfl", n.cfl);
+  lines.add("near_yield_limiter", n.near_yield_limiter);
+  lines.add("skin", n.skin);
+  lines.add("density_minimum", n.density_minimum);
+  lines.add("density_maximum", n.density_maximum);
+  lines.add("precision", n.precision);
+}
+
+struct ShapeLines {
+  Lines& lines;
+  void operator()(const Polygon& p) const {
+    lines.add("polygon", p.points);
+    lines.add("extrude", p.extrude);
+  }
+  void operator()(const Box& b) const {
+    lines.add("box.min", b.minimum);
+    lines.add("box.max", b.maximum);
+  }
+  void operator()(const Cylinder& c) const {
+    lines.add("cylinder.centre", c.centre);
+    lines.add("cylinder.radius", c.radius);
+    lines.add("cylinder.inner_radius", c.inner_radius);
+    lines.add("cylinder.height", c.height);
+  }
+  void operator()(const HeightField& h) const {
+    lines.add("height_field.plan_minimum", h.plan_minimum);
+    lines.add("height_field.plan_maximum", h.plan_maximum);
+    lines.add("height_field.base", h.base);
+    lines.add("height_field.along", h.kind);
+    lines.add("height_field.centre", h.centre);
+    lines.add("height_field.profile", h.profile);
+    lines.add("height_field.expression", h.expression);
+  }
+};
+
+void add_walls(Lines& lines, const std::vector<Wall>& walls) {
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const Wall& wall = walls[w];
+    lines.section(fmt::format("wall[{}].", w));
+    lines.add("kind", wall.kind);
+    lines.add("velocity", wall.velocity);
+    lines.add("from", wall.moves_from);
+    lines.add("until", wall.removed_at);
+    for (const Facet& f : wall.facets) {
+      lines.add("facet.origin", f.origin);
+      lines.add("facet.u", f.tangent_u);
+      lines.add("facet.v", f.tangent_v);
+      lines.add("facet.length_u", f.length_u);
+      lines.add("facet.length_v", f.length_v);
+      lines.add("facet.normal", f.normal);
+    }
+  }
+}
+
+void add_stages(Lines& lines, const std::vector<Stage>& stages) {
+  for (std::size_t s = 0; s < stages.size(); ++s) {
+    const Stage& stage = stages[s];
+    lines.section(fmt::format("stage[{}].", s));
+    lines.add("name", stage.name);
+    lines.add("until", stage.until);
+    lines.add("duration", stage.duration);
+    lines.add("rest_velocity", stage.rest_velocity);
+    lines.add("strength_reduction", stage.strength_reduction);
+    lines.add("material_strength_reduction", stage.material_strength_reduction);
+    lines.add("damping", stage.damping);
+    lines.add("reset_after", stage.reset_after);
+  }
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene) {
+  Lines lines;
+  lines.add("dimension", scene.dimension);
+  lines.add("gravity", scene.gravity);
+  lines.add("spacing", scene.spacing);
+  lines.add("output.energy", scene.output.energy);
+  add_numerics(lines, scene.numerics);
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    lines.section(fmt::format("material[{}].", m));
+    lines.add("name", material.name);
+    lines.add("model", material.model);
+    lines.add("density", material.density);
+    lines.add("parameters", material.parameters);
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    lines.section(fmt::format("body[{}].", b));
+    lines.add("material", body.material);
+    lines.add("velocity", body.velocity);
+    lines.add("velocity_field", body.velocity_field);
+    std::visit(ShapeLines{lines}, body.shape);
+  }
+  add_walls(lines, scene.walls);
+  lines.section("initial.");
+  lines.add("stress", scene.initial_stress);
+  lines.add("k0", scene.initial_k0);
+  lines.add("uniform", scene.uniform_stress);
+  add_stages(lines, scene.stages);
+  return lines.take();
+}
+
+std::string first_difference(const std::string& stored, const std::string& here) {
+  if (stored == here) return {};
+  const auto same =
+      std::mismatch(stored.begin(), stored.end(), here.begin(), here.end()).first - stored.begin();
+  const auto line_at = [at = static_cast<std::size_t>(same)](const std::string& text) {
+    const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+    const std::size_t first = before == std::string::npos ? 0 : before + 1;
+    const std::string line = text.substr(first, text.find('\n', first) - first);
+    return line.empty() ? std::string("nothing") : line;
+  };
+  return fmt::format("{}, here {}", line_at(stored), line_at(here));
+}
+
+}  // namespace scarp

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// One list of what a state consists of, for both directions.
+#include "engine/checkpoint/state_snapshot.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "engine/checkpoint/scene_text.hpp"
+#include "engine/errors.hpp"
+
+namespace scarp {
+namespace {
+
+/// The limiter reads the gradient of the step before, where the step's size comes first.
+bool kept(const FieldRow& field, const Scene& scene) {
+  if (field.field == Field::velocity_gradient) return scene.numerics.near_yield_limiter;
+  return field.lifetime != Lifetime::rate;
+}
+
+std::vector<int> stored_components(const FieldRow& field, int dimension) {
+  std::vector<int> stored;
+  for (int c = 0; c < component_count(field.rank); ++c) {
+    if (stores_component(field.rank, c, dimension)) stored.push_back(c);
+  }
+  return stored;
+}
+
+class Taker {
+ public:
+  explicit Taker(Snapshot& out) : out_(out) {}
+  void number(const char* name, const char* unit, double value) { out_.add(name, unit, {value}); }
+  template <class T>
+  void integer(const char* name, T value) {
+    out_.add(name, std::vector<std::int64_t>{static_cast<std::int64_t>(value)});
+  }
+
+ private:
+  Snapshot& out_;
+};
+
+class Putter {
+ public:
+  explicit Putter(const Snapshot& from) : from_(from) {}
+  void number(const char* name, const char*, double& value) {
+    value = from_.numbers(name, 1).front();
+  }
+  template <class T>
+  void integer(const char* name, T& value) {
+    value = static_cast<T>(from_.integers(name, 1).front());
+  }
+
+ private:
+  const Snapshot& from_;
+};
+
+/// The scalars of a state. `state` is const for a Taker.
+template <class Archive, class AnyState>
+void exchange(Archive& a, AnyState& state) {
+  a.integer("clock/step", state.report.step);
+  a.number("clock/time", "s", state.report.time);
+  a.number("clock/stage_time", "s", state.stage.time);
+  a.number("clock/time_step", "s", state.clock.time_step);
+  a.number("clock/previous_time_step", "s", state.clock.previous_time_step);
+  a.number("clock/growth_base", "s", state.clock.growth_base);
+  a.integer("clock/since_restart", state.clock.since_restart);
+  a.integer("clock/restart", state.clock.restart);
+  a.number("report/stage_time", "s", state.report.stage_time);
+  a.number("report/time_step", "s", state.report.time_step);
+  a.integer("report/limit", state.report.limit);
+  a.number("report/max_velocity", "m/s", state.report.max_velocity);
+  a.integer("stage/index", state.stage.index);
+  a.integer("stage/started", state.stage.started);
+  a.integer("stage/ended", state.stage.ended);
+  a.integer("stage/reached_rest", state.stage.reached_rest);
+  a.number("stage/calm_since", "s", state.stage.calm_since);
+  a.number("stage/damping", "1/s", state.stage.damping);
+  a.number("stage/rest_window", "s", state.stage.rest_window);
+  a.integer("lists/valid", state.lists_valid);
+  a.integer("lists/rebuilds", state.rebuilds);
+  a.number("lists/walls_moved", "m", state.walls_moved);
+  a.integer("counts/density_bounds", state.density_bounds);
+  a.integer("counts/face_holds", state.holds);
+  auto& ledger = state.ledger;
+  const auto powers = [&a](const char* const(&names)[5], const char* unit, auto& p) {
+    a.number(names[0], unit, p.stress);
+    a.number(names[1], unit, p.viscous);
+    a.number(names[2], unit, p.artificial_stress);
+    a.number(names[3], unit, p.damping);
+    a.number(names[4], unit, p.wall);
+  };
+  powers({"energy/work_stress", "energy/work_viscous", "energy/work_artificial_stress",
+          "energy/work_damping", "energy/work_wall"},
+         "J", ledger.work);
+  powers({"energy/power_stress", "energy/power_viscous", "energy/power_artificial_stress",
+          "energy/power_damping", "energy/power_wall"},
+         "W", ledger.last_powers);
+  a.number("energy/last_time", "s", ledger.last_time);
+  a.integer("energy/last_step", ledger.last_step);
+  a.number("energy/start_kinetic", "J", ledger.start.kinetic);
+  a.number("energy/start_potential", "J", ledger.start.potential);
+  a.number("energy/start_elastic", "J", ledger.start.elastic);
+  a.number("energy/start_plastic", "J", ledger.start.plastic);
+  a.number("energy/start_diffusion", "J", ledger.start.diffusion);
+  a.number("energy/start_stress_work", "J", ledger.stress_work_start);
+}
+
+void take_vectors(Snapshot& out, std::string name, std::string unit,
+                  const std::vector<Vec3>& from) {
+  std::vector<double> flat;
+  for (const Vec3& v : from) flat.insert(flat.end(), v.begin(), v.end());
+  out.add({std::move(name), std::move(unit), {from.size(), 3}, std::move(flat)});
+}
+
+void put_vectors(const Snapshot& from, std::string_view name, std::vector<Vec3>& to) {
+  const std::vector<double>& flat = from.numbers(name, 3 * to.size());
+  for (std::size_t k = 0; k < flat.size(); ++k) to[k / 3][k % 3] = flat[k];
+}
+
+void take_dummies(Snapshot& out, std::string name, const Walls& walls, bool built) {
+  const auto count = static_cast<std::size_t>(walls.count());
+  std::vector<double> flat;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double* from = built ? walls.built_position(a) : walls.position(a);
+    flat.insert(flat.end(), from, from + count);
+  }
+  out.add({std::move(name), "m", {3, count}, std::move(flat)});
+}
+
+void put_dummies(const Snapshot& from, std::string_view name, Walls& walls) {
+  walls.move_to(from.numbers(name, 3 * static_cast<std::size_t>(walls.count())));
+}
+
+void take_fields(Snapshot& out, const State& state) {
+  const ParticleBuffers& p = state.particles;
+  const auto slots = static_cast<std::size_t>(p.slots());
+  out.add({"particles/id", "", {slots}, p.ids()});
+  for (const FieldRow& field : field_list) {
+    if (!p.has(field.field) || !kept(field, state.scene)) continue;
+    const std::vector<int> components = stored_components(field, state.scene.dimension);
+    std::vector<double> values;
+    values.reserve(components.size() * slots);
+    for (const int c : components) {
+      const double* from = p.component(field.field, c);
+      values.insert(values.end(), from, from + slots);
+    }
+    out.add({fmt::format("fields/{}", field.name),
+             field.unit,
+             {components.size(), slots},
+             std::move(values)});
+  }
+}
+
+void put_field(const Snapshot& from, std::string_view stored, Field field, State& state) {
+  ParticleBuffers& p = state.particles;
+  const std::vector<int> components = stored_components(row(field), state.scene.dimension);
+  const auto slots = static_cast<std::size_t>(p.slots());
+  const std::vector<double>& values =
+      from.numbers(fmt::format("fields/{}", stored), components.size() * slots);
+  auto next = values.begin();
+  for (const int c : components) {
+    std::copy_n(next, slots, p.component(field, c));
+    next += static_cast<std::ptrdiff_t>(slots);
+  }
+}
+
+/// The order in memory may differ from the scene's own, but only within a material.
+void put_ids(const Snapshot& from, State& state) {
+  std::vector<std::int64_t>& ids = state.particles.ids();
+  const std::vector<std::int64_t>& stored = from.integers("particles/id", ids.size());
+  for (const ParticleGroup& group : state.particles.groups()) {
+    std::vector<std::int64_t> own(ids.begin() + group.first, ids.begin() + group.end());
+    std::vector<std::int64_t> other(stored.begin() + group.first, stored.begin() + group.end());
+    std::sort(own.begin(), own.end());
+    std::sort(other.begin(), other.end());
+    if (own != other) {
+      throw CheckpointError(
+          "'particles/id' does not list the particles of the scene. Try the scene and the program "
+          "that wrote it.");
+    }
+  }
+  ids = stored;
+}
+
+void put_walls(const Snapshot& from, State& state) {
+  const std::vector<std::int64_t>& stands = from.integers("walls/stands", state.scene.walls.size());
+  for (std::size_t w = 0; w < stands.size(); ++w) state.wall_stands[w] = stands[w] != 0;
+  put_vectors(from, "walls/placed_offset", state.wall_offset);
+  place_walls(state);
+  put_vectors(from, "walls/velocity", state.wall_velocity);
+}
+
+/// Lists depend on nothing but what stood where when they were built.
+void build_lists_again(const Snapshot& from, State& state) {
+  put_field(from, row(Field::build_position).name, Field::position, state);
+  put_vectors(from, "walls/built_offset", state.wall_offset);
+  if (from.has("walls/built_position")) put_dummies(from, "walls/built_position", state.walls);
+  build_lists(state);
+}
+
+}  // namespace
+
+Snapshot take_snapshot(const State& state) {
+  Snapshot out;
+  out.add("scene", scene_text(state.scene));
+  out.add("isa", std::string(state.kernels.table->name));
+  Taker taker(out);
+  exchange(taker, state);
+  std::vector<std::int64_t> stands(state.wall_stands.begin(), state.wall_stands.end());
+  out.add("walls/stands", std::move(stands));
+  take_vectors(out, "walls/velocity", "m/s", state.wall_velocity);
+  take_vectors(out, "walls/offset", "m", state.wall_offset);
+  take_vectors(out, "walls/placed_offset", "m", state.placed_wall_offset);
+  take_vectors(out, "walls/built_offset", "m", state.built_wall_offset);
+  if (state.walls.have_moved()) {
+    take_dummies(out, "walls/position", state.walls, false);
+    take_dummies(out, "walls/built_position", state.walls, true);
+  }
+  take_fields(out, state);
+  return out;
+}
+
+void apply_snapshot(State& state, const Snapshot& snapshot) {
+  const std::string difference = first_difference(snapshot.text("scene"), scene_text(state.scene));
+  if (!difference.empty()) {
+    throw CheckpointError(fmt::format(
+        "it belongs to another scene: there {}. Try the scene it was written with.", difference));
+  }
+  const std::int64_t stage = snapshot.integers("stage/index", 1).front();
+  if (stage < 0 || static_cast<std::size_t>(stage) >= state.scene.stages.size()) {
+    throw CheckpointError(fmt::format("'stage/index' is {}, but the scene has {} stages.", stage,
+                                      state.scene.stages.size()));
+  }
+  put_walls(snapshot, state);
+  put_ids(snapshot, state);
+  Putter putter(snapshot);
+  exchange(putter, state);
+  const bool lists_valid = state.lists_valid;
+  const double walls_moved = state.walls_moved;
+  set_material_constants(state);
+  if (lists_valid) build_lists_again(snapshot, state);
+  state.lists_valid = lists_valid;
+  state.walls_moved = walls_moved;
+  for (const FieldRow& field : field_list) {
+    if (state.particles.has(field.field) && kept(field, state.scene))
+      put_field(snapshot, field.name, field.field, state);
+  }
+  put_vectors(snapshot, "walls/offset", state.wall_offset);
+  if (snapshot.has("walls/position")) put_dummies(snapshot, "walls/position", state.walls);
+  if (!lists_valid) return;
+  pack_records(state);  // no step needs it, but who asks for forces on walls first
+  extrapolate_walls(state);
+}
+
+}  // namespace scarp

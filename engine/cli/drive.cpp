@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The loop of `scarp run` and `scarp resume`.
+#include "engine/cli/drive.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/cli/commands.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/run_record.hpp"
+#include "engine/errors.hpp"
+#include "engine/output/checkpoint_writer.hpp"
+
+namespace scarp::cli {
+namespace {
+
+void say_how_to_go_on(const RunWriter& writer) {
+  fmt::print(stderr, "To go on{}: scarp resume {}\n",
+             checkpoints_in(writer.folder()).empty() ? " (from the start)" : "",
+             writer.folder().string());
+}
+
+}  // namespace
+
+int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options) {
+  CheckpointWriter checkpoints(simulation, writer);
+  Progress progress(total_duration(simulation.scene()), options.quiet);
+  catch_interrupts();
+  const auto warn = [&progress](const std::string& warning) {
+    if (warning.empty()) return;
+    progress.end();
+    fmt::print(stderr, "warning: {}\n", warning);
+  };
+  const auto after_step = [&](const Simulation& now) {
+    progress.update(now);
+    if (!stop_requested() || now.finished()) {
+      warn(checkpoints.after_step(now));
+      return true;
+    }
+    try {
+      checkpoints.write(now);
+    } catch (const FileError& error) {
+      warn(fmt::format("no checkpoint of the last step: {}", error.what()));
+    }
+    return false;
+  };
+  const auto finish = [&] {
+    progress.end();
+    if (!options.json.empty())
+      write_text(options.json, read_text(writer.folder() / "results.json"));
+  };
+  double wall_seconds = 0.0;
+  try {
+    wall_seconds = run(simulation, &writer, after_step);
+  } catch (const SimulationInstability&) {
+    finish();
+    fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
+               writer.frame_count(), writer.folder().string());
+    throw;
+  } catch (const FileError&) {
+    progress.end();
+    say_how_to_go_on(writer);
+    throw;
+  }
+  finish();
+  if (!options.quiet) {
+    fmt::print(stderr, "{} after {} steps, {:.4g} s simulated in {}; results in {}\n",
+               simulation.finished() ? "done" : "stopped", simulation.last_step().step,
+               simulation.last_step().time, readable_duration(wall_seconds),
+               writer.folder().string());
+  }
+  if (simulation.finished()) return ok;
+  say_how_to_go_on(writer);
+  return interrupted;
+}
+
+}  // namespace scarp::cli

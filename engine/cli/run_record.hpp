@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// run.json: what `scarp run` was asked for, so that `scarp resume` needs the folder alone.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "engine/scene/scene_reader.hpp"
+
+namespace scarp::cli {
+
+struct RunRecord {
+  std::string program;     ///< version that began the run
+  std::string scene_name;  ///< file it was read from
+  std::string scene_text;
+  SceneOverrides overrides;
+  std::string isa;  ///< in use
+  int threads = 0;  ///< asked for
+};
+
+/// Leaves the folder as that of a run which has not come to its first checkpoint: removes
+/// checkpoints and results of an earlier run, then writes run.json. Errors: FileError.
+void begin_run(const std::filesystem::path& folder, const RunRecord& record);
+
+/// Errors: FileError if the folder holds no run.
+RunRecord read_record(const std::filesystem::path& folder);
+
+/// Whether results.json says that the run has reached its end.
+bool run_is_complete(const std::filesystem::path& folder);
+
+}  // namespace scarp::cli

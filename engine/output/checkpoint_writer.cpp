@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Schedule and upkeep of a run's checkpoints.
+#include "engine/output/checkpoint_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "engine/errors.hpp"
+#include "engine/output/checkpoint_file.hpp"
+#include "engine/output/text_file.hpp"
+
+namespace scarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kept = 2;
+
+fs::path folder_of(const fs::path& run) { return run / "checkpoints"; }
+
+double next_after(double time, double interval) {
+  return interval > 0.0 ? (std::floor(time / interval * (1.0 + 1e-12)) + 1.0) * interval
+                        : std::numeric_limits<double>::infinity();
+}
+
+std::vector<fs::path> files_of(const fs::path& run, const std::regex& pattern) {
+  std::vector<fs::path> found;
+  try {
+    if (!fs::exists(folder_of(run))) return found;
+    for (const auto& entry : fs::directory_iterator(folder_of(run))) {
+      if (std::regex_match(entry.path().filename().string(), pattern))
+        found.push_back(entry.path());
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw FileError(
+        fmt::format("'{}': cannot be read: {}.", folder_of(run).string(), error.code().message()));
+  }
+  std::sort(found.rbegin(), found.rend());
+  return found;
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) {
+    throw FileError(fmt::format("'{}': cannot be removed: {}.", path.string(), error.message()));
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> checkpoints_in(const fs::path& folder) {
+  static const std::regex complete(R"(step_\d{12}\.h5)");
+  return files_of(folder, complete);
+}
+
+void remove_checkpoints(const fs::path& folder) {
+  static const std::regex ours(R"(step_\d{12}\.h5(\.part)?)");
+  for (const fs::path& path : files_of(folder, ours)) remove_file(path);
+}
+
+CheckpointWriter::CheckpointWriter(const Simulation& simulation, RunWriter& outputs)
+    : outputs_(outputs),
+      wanted_(simulation.scene().checkpoints),
+      next_(next_after(simulation.last_step().time, wanted_.interval)) {
+  static const std::regex half_written(R"(step_\d{12}\.h5\.part)");
+  for (const fs::path& path : files_of(outputs_.folder(), half_written)) remove_file(path);
+}
+
+bool CheckpointWriter::due(const Simulation& simulation) {
+  if (simulation.last_step().time >= next_) return true;
+  return wanted_.wall_interval > 0.0 &&
+         std::chrono::duration<double>(Clock::now() - last_).count() >= wanted_.wall_interval;
+}
+
+std::string CheckpointWriter::after_step(const Simulation& simulation) {
+  if (!due(simulation)) return {};
+  try {
+    write(simulation);
+  } catch (const FileError& error) {
+    if (wanted_.stop_on_error) throw;
+    last_ = Clock::now();
+    next_ = next_after(simulation.last_step().time, wanted_.interval);
+    return fmt::format("no checkpoint at step {}: {} The run goes on.", simulation.last_step().step,
+                       error.what());
+  }
+  return {};
+}
+
+void CheckpointWriter::write(const Simulation& simulation) {
+  const fs::path folder = folder_of(outputs_.folder());
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error) {
+    throw FileError(fmt::format("'{}': cannot be made: {}.", folder.string(), error.message()));
+  }
+  flush_to_disk(outputs_.folder());
+  Snapshot snapshot = simulation.snapshot();
+  outputs_.add_progress(snapshot);
+  write_checkpoint(folder / fmt::format("step_{:012}.h5", simulation.last_step().step), snapshot);
+  const std::vector<fs::path> all = checkpoints_in(outputs_.folder());
+  for (std::size_t k = kept; k < all.size(); ++k) remove_file(all[k]);
+  last_ = Clock::now();
+  next_ = next_after(simulation.last_step().time, wanted_.interval);
+}
+
+}  // namespace scarp

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// When checkpoints of a run are written, and which are kept.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/output/run_writer.hpp"
+#include "engine/simulation.hpp"
+
+namespace scarp {
+
+/// Checkpoints FOLDER/checkpoints/step_NNNNNNNNNNNN.h5, the newest first. Errors: FileError.
+std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& folder);
+
+/// Removes the checkpoints of an earlier run. Errors: FileError.
+void remove_checkpoints(const std::filesystem::path& folder);
+
+/// Writes a checkpoint whenever `Scene::checkpoints` asks for one, and keeps the last two. What the
+/// checkpoint says has been written by `RunWriter` is flushed to the disk first.
+class CheckpointWriter {
+ public:
+  /// Removes what a killed run has left half-written. Errors: FileError.
+  CheckpointWriter(const Simulation& simulation, RunWriter& outputs);
+
+  /// Call after each step, behind `RunWriter::after_step`. Returns a warning if a checkpoint could
+  /// not be written and the scene wants to go on in that case, else nothing. Errors: FileError.
+  std::string after_step(const Simulation& simulation);
+
+  /// Writes one now. Errors: FileError; the checkpoints before stay.
+  void write(const Simulation& simulation);
+
+ private:
+  bool due(const Simulation& simulation);
+
+  using Clock = std::chrono::steady_clock;  // not moved when the time of day is set
+  RunWriter& outputs_;
+  Checkpoints wanted_;
+  Clock::time_point last_ = Clock::now();
+  double next_ = 0.0;  ///< simulated time [s]
+};
+
+}  // namespace scarp

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// No byte of a checkpoint can change unnoticed, and what is no checkpoint is told from one.
+#include "engine/output/checkpoint_file.hpp"
+
+#include <zlib.h>
+
+#include <cstdlib>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "engine/errors.hpp"
+#include "tests/engine/output/output_fixture.hpp"
+
+namespace scarp {
+namespace {
+
+class CheckpointFileTest : public OutputTest {
+ protected:
+  CheckpointFileTest() {
+    simulation_.step();
+    write_checkpoint(path_, simulation_.snapshot());
+    bytes_ = text_of(path_);
+  }
+
+  /// Why the bytes are refused; empty if they are not.
+  std::string refusal(const std::string& bytes) const {
+    const std::filesystem::path other = folder_ / "other.h5";
+    std::ofstream(other, std::ios::binary) << bytes;
+    try {
+      read_checkpoint(other);
+    } catch (const CheckpointError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  void expect_refused(const std::string& bytes, const std::string& word) const {
+    const std::string why = refusal(bytes);
+    EXPECT_NE(why.find(word), std::string::npos) << word << " not in: " << why;
+    EXPECT_NE(why.find("other.h5"), std::string::npos) << why;
+  }
+  /// As if written that way: the right sum behind the bytes.
+  static std::string summed(const std::string& image) {
+    return image +
+           fmt::format("\nscarp checkpoint ends, crc32 {:08x}\n",
+                       crc32_z(0, reinterpret_cast<const Bytef*>(image.data()), image.size()));
+  }
+  std::string image() const { return bytes_.substr(0, bytes_.rfind("\nscarp checkpoint ends")); }
+
+  Simulation simulation_ = block();
+  std::filesystem::path path_ = folder_ / "checkpoint.h5";
+  std::string bytes_;
+};
+
+TEST_F(CheckpointFileTest, GivesBackEveryItemBitForBit) {
+  const Snapshot before = simulation_.snapshot(), after = read_checkpoint(path_);
+  ASSERT_EQ(before.items().size(), after.items().size());
+  for (const SnapshotItem& item : before.items()) {
+    const auto same = std::find_if(after.items().begin(), after.items().end(),
+                                   [&](const SnapshotItem& one) { return one.name == item.name; });
+    ASSERT_NE(same, after.items().end()) << item.name;
+    EXPECT_EQ(same->shape, item.shape) << item.name;
+    EXPECT_EQ(same->unit, item.unit) << item.name;
+    EXPECT_EQ(same->values, item.values) << item.name;
+  }
+  Simulation resumed(simulation_.scene(), after);
+  simulation_.step();
+  resumed.step();
+  EXPECT_EQ(simulation_.field("position"), resumed.field("position"));
+}
+
+TEST_F(CheckpointFileTest, OpensInAnyReaderOfHdf5) {
+  EXPECT_EQ(dataset(path_, "clock/step"), std::vector<double>{1.0});
+  EXPECT_EQ(attribute(path_, "/", "format"), "scarp checkpoint");
+  EXPECT_EQ(attribute(path_, "fields/velocity", "unit"), "m/s");
+}
+
+TEST_F(CheckpointFileTest, EqualStatesLeaveEqualFiles) {
+  write_checkpoint(folder_ / "again.h5", simulation_.snapshot());
+  EXPECT_EQ(text_of(folder_ / "again.h5"), bytes_);
+}
+
+TEST_F(CheckpointFileTest, NoFlippedBitIsAccepted) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::size_t> any(0, 8 * bytes_.size() - 1);
+  const auto flipped = [&](std::size_t bit) {
+    std::string bytes = bytes_;
+    bytes[bit / 8] = static_cast<char>(bytes[bit / 8] ^ (1 << bit % 8));
+    return refusal(bytes).empty();
+  };
+  int accepted = 0;
+  for (int k = 0; k < 400; ++k) accepted += flipped(any(random));
+  for (std::size_t bit = 8 * (bytes_.size() - 48); bit < 8 * bytes_.size(); ++bit)
+    accepted += flipped(bit);  // the sum itself
+  EXPECT_EQ(accepted, 0);
+}
+
+TEST_F(CheckpointFileTest, NoTruncatedFileIsAccepted) {
+  for (std::size_t size = 1; size < bytes_.size(); size += 1 + size / 7)
+    expect_refused(bytes_.substr(0, size), "no complete checkpoint");
+  expect_refused(bytes_.substr(0, bytes_.size() - 1), "no complete checkpoint");
+  expect_refused(bytes_ + "\n", "no complete checkpoint");
+  expect_refused("", "is empty");
+}
+
+TEST_F(CheckpointFileTest, AnotherVersionOrFormatIsNamed) {
+  const auto changed = [&](const char* name, const auto& write) {
+    std::ofstream(folder_ / "edit.h5", std::ios::binary) << image();
+    const hid_t file = H5Fopen((folder_ / "edit.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t found = H5Aopen(file, name, H5P_DEFAULT);
+    write(found);
+    H5Aclose(found);
+    H5Fclose(file);
+    return summed(text_of(folder_ / "edit.h5"));
+  };
+  const auto version = [](std::int64_t number) {
+    return [number](hid_t found) { H5Awrite(found, H5T_NATIVE_INT64, &number); };
+  };
+  EXPECT_EQ(refusal(changed("version", version(1))), "");
+  expect_refused(changed("version", version(2)), "version 2");
+  expect_refused(changed("format",
+                         [](hid_t found) {
+                           const hid_t type = H5Aget_type(found);
+                           std::string other(H5Tget_size(type), 'x');
+                           H5Awrite(found, type, other.data());
+                           H5Tclose(type);
+                         }),
+                 "another program");
+}
+
+TEST_F(CheckpointFileTest, ForeignFilesAreRefused) {
+  const hid_t file =
+      H5Fcreate((folder_ / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(file);
+  const std::string foreign = text_of(folder_ / "foreign.h5");
+  expect_refused(foreign, "no complete checkpoint");
+  expect_refused(summed(foreign), "cannot be read");
+  expect_refused(summed("not HDF5 at all"), "cannot be read");
+  EXPECT_THROW(read_checkpoint(folder_ / "missing.h5"), CheckpointError);
+  EXPECT_THROW(read_checkpoint(folder_), CheckpointError);
+}
+
+TEST_F(CheckpointFileTest, AFailedWriteLeavesTheFileBefore) {
+  EXPECT_THROW(write_checkpoint(folder_ / "nowhere" / "a.h5", simulation_.snapshot()), FileError);
+  std::filesystem::create_directory(folder_ / "checkpoint.h5.part");  // in the way
+  EXPECT_THROW(write_checkpoint(path_, simulation_.snapshot()), FileError);
+  EXPECT_EQ(text_of(path_), bytes_);
+}
+
+}  // namespace
+}  // namespace scarp

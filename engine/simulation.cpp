@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <span>
 
 #include <fmt/format.h>
@@ -15,17 +16,28 @@
 namespace scarp {
 namespace {
 
-using Phase = void (*)(State&);
+struct Phase {
+  const char* name;
+  void (*run)(State&);
+};
+#define SCARP_PHASE(function) \
+  Phase { #function, function }
 
 /// The step of each integrator, literally; an adapter may act between two phases.
-constexpr std::array verlet_phases{refresh_neighbours, extrapolate_walls, sweep_all,
-                                   sample_energy,      choose_time_step,  advance_verlet,
-                                   hold_off_faces,     end_step};
+constexpr std::array verlet_phases{SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
+                                   SCARP_PHASE(sweep_all),          SCARP_PHASE(sample_energy),
+                                   SCARP_PHASE(choose_time_step),   SCARP_PHASE(advance_verlet),
+                                   SCARP_PHASE(hold_off_faces),     SCARP_PHASE(end_step)};
 constexpr std::array kick_drift_kick_phases{
-    choose_time_step,   kick_half,          hold_off_faces,    drift_half,
-    refresh_neighbours, extrapolate_walls,  sweep_gradient,    advance_stress,
-    drift_half,         refresh_neighbours, extrapolate_walls, sweep_force,
-    kick_half,          hold_off_faces,     sample_energy,     end_step};
+    SCARP_PHASE(choose_time_step),   SCARP_PHASE(kick_half),
+    SCARP_PHASE(hold_off_faces),     SCARP_PHASE(drift_half),
+    SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
+    SCARP_PHASE(sweep_gradient),     SCARP_PHASE(advance_stress),
+    SCARP_PHASE(drift_half),         SCARP_PHASE(refresh_neighbours),
+    SCARP_PHASE(extrapolate_walls),  SCARP_PHASE(sweep_force),
+    SCARP_PHASE(kick_half),          SCARP_PHASE(hold_off_faces),
+    SCARP_PHASE(sample_energy),      SCARP_PHASE(end_step)};
+#undef SCARP_PHASE
 
 std::span<const Phase> phases_of(Integrator integrator) {
   if (integrator == Integrator::verlet) return verlet_phases;
@@ -36,6 +48,7 @@ std::span<const Phase> phases_of(Integrator integrator) {
 
 struct Simulation::Impl {
   State state;
+  std::array<double, kick_drift_kick_phases.size()> phase_seconds{};
   std::vector<std::int64_t> slot_of_id() const {
     std::vector<std::int64_t> slots(static_cast<std::size_t>(state.particles.count()));
     const auto& ids = state.particles.ids();
@@ -48,10 +61,10 @@ struct Simulation::Impl {
 };
 
 Simulation::Simulation(Scene scene, RunOptions options)
-    : impl_(std::make_unique<Impl>(Impl{make_state(std::move(scene), options)})) {}
+    : impl_(std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}})) {}
 Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options) {
   if (options.isa.empty()) options.isa = snapshot.text("isa");
-  impl_ = std::make_unique<Impl>(Impl{make_state(std::move(scene), options)});
+  impl_ = std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}});
   apply_snapshot(impl_->state, snapshot);
 }
 Simulation::~Simulation() = default;
@@ -66,7 +79,15 @@ const StepReport& Simulation::step() {
   } else if (state.stage.ended) {
     enter_stage(state, state.stage.index + 1);
   }
-  for (const Phase phase : phases_of(state.scene.numerics.integrator)) phase(state);
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point before = Clock::now();
+  double* seconds = impl_->phase_seconds.data();
+  for (const Phase& phase : phases_of(state.scene.numerics.integrator)) {
+    phase.run(state);
+    const Clock::time_point after = Clock::now();
+    *seconds++ += std::chrono::duration<double>(after - before).count();
+    before = after;
+  }
   return state.report;
 }
 
@@ -212,6 +233,21 @@ std::size_t Simulation::memory_bytes() const {
 std::uint64_t Simulation::rebuild_count() const { return impl_->state.rebuilds; }
 std::uint64_t Simulation::density_bound_count() const { return impl_->state.density_bounds; }
 std::uint64_t Simulation::face_hold_count() const { return impl_->state.holds; }
+std::vector<PhaseTime> Simulation::profile() const {
+  std::vector<PhaseTime> times;
+  const double* seconds = impl_->phase_seconds.data();
+  for (const Phase& phase : phases_of(impl_->state.scene.numerics.integrator)) {
+    const auto known = std::find_if(times.begin(), times.end(), [&](const PhaseTime& time) {
+      return time.phase == phase.name;
+    });
+    if (known == times.end()) {
+      times.push_back({phase.name, *seconds++});
+    } else {
+      known->seconds += *seconds++;
+    }
+  }
+  return times;
+}
 std::vector<UsedFeature> Simulation::features() const { return used_features(impl_->state); }
 
 }  // namespace scarp

@@ -80,6 +80,12 @@ struct UsedFeature {
   std::string note;  ///< why, or what leaving it out saves
 };
 
+/// Wall time of one phase of the step, over all steps so far.
+struct PhaseTime {
+  std::string phase;
+  double seconds = 0.0;
+};
+
 /// Owns the particles of one scene. Not safe for concurrent use of one object; two objects are
 /// independent. Errors: SceneError from the constructor (nothing is left behind),
 /// SimulationInstability from `step()` (state stays readable).
@@ -135,6 +141,8 @@ class Simulation {
   std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far
   std::uint64_t face_hold_count() const;      ///< how often a grain was held off a no-slip face
   std::vector<UsedFeature> features() const;
+  /// In order of the step; what a step does twice is one entry.
+  std::vector<PhaseTime> profile() const;
 
  private:
   Simulation(const Simulation& other);

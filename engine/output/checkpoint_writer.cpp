@@ -11,6 +11,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
+#include "engine/output/text_file.hpp"
 
 namespace scarp {
 namespace {
@@ -65,7 +66,10 @@ void remove_checkpoints(const fs::path& folder) {
 CheckpointWriter::CheckpointWriter(const Simulation& simulation, RunWriter& outputs)
     : outputs_(outputs),
       wanted_(simulation.scene().checkpoints),
-      next_(next_after(simulation.last_step().time, wanted_.interval)) {}
+      next_(next_after(simulation.last_step().time, wanted_.interval)) {
+  static const std::regex half_written(R"(step_\d{12}\.h5\.part)");
+  for (const fs::path& path : files_of(outputs_.folder(), half_written)) remove_file(path);
+}
 
 bool CheckpointWriter::due(const Simulation& simulation) {
   if (simulation.last_step().time >= next_) return true;
@@ -94,6 +98,7 @@ void CheckpointWriter::write(const Simulation& simulation) {
   if (error) {
     throw FileError(fmt::format("'{}': cannot be made: {}.", folder.string(), error.message()));
   }
+  flush_to_disk(outputs_.folder());
   Snapshot snapshot = simulation.snapshot();
   outputs_.add_progress(snapshot);
   write_checkpoint(folder / fmt::format("step_{:012}.h5", simulation.last_step().step), snapshot);

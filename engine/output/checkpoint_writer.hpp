@@ -22,6 +22,7 @@ void remove_checkpoints(const std::filesystem::path& folder);
 /// checkpoint says has been written by `RunWriter` is flushed to the disk first.
 class CheckpointWriter {
  public:
+  /// Removes what a killed run has left half-written. Errors: FileError.
   CheckpointWriter(const Simulation& simulation, RunWriter& outputs);
 
   /// Call after each step, behind `RunWriter::after_step`. Returns a warning if a checkpoint could

@@ -140,12 +140,15 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"memory_bytes", simulation.memory_bytes()},
             {"measures", Json::array()},
             {"stages", Json::array()},
+            {"profile", Json::array()},
             {"numerics", json_of(scene.numerics)},
             {"machine",
              {{"processor", processor_name()},
               {"hardware_threads", std::thread::hardware_concurrency()}}},
             {"versions", {{"scarp", program_version()}, {"compiler", __VERSION__}}}};
   for (const Measure& measure : results.measures) json["measures"].push_back(json_of(measure));
+  for (const PhaseTime& time : simulation.profile())
+    json["profile"].push_back({{"phase", time.phase}, {"wall_s", time.seconds}});
   for (const StageResult& stage : results.stages) {
     json["stages"].push_back({{"name", stage.name},
                               {"end_time_s", stage.end_time},

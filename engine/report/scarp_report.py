@@ -204,6 +204,19 @@ def facts_section(page, results):
         page.table(["", "value", "unit"], [[words, number(value), unit] for words, value, unit in rows])
 
 
+def profile_section(page, results):
+    """Where the run time went, largest first; what no phase took is output and set-up."""
+    phases = results.get("profile")
+    total = results.get("wall_s")
+    if not phases or not total:
+        return
+    rows = [[phase["phase"].replace("_", " "), phase["wall_s"]] for phase in phases]
+    rows.append(["output and set-up", max(total - sum(seconds for _, seconds in rows), 0.0)])
+    rows.sort(key=lambda row: -row[1])
+    page.table(["phase of the step", "s", "share"],
+               [[words, number(seconds), f"{100 * seconds / total:.1f} %"] for words, seconds in rows])
+
+
 def machine_section(page, results):
     rows = [[key.replace("_", " "), str(value)] for group in ("machine", "versions", "numerics")
             for key, value in results.get(group, {}).items()]
@@ -219,6 +232,7 @@ def run_parts(page, folder, results, level=2):
     own_figures(page, folder, results)
     page.section("Run", level=level)
     facts_section(page, results)
+    profile_section(page, results)
     page.section("Particles", level=level)
     particle_figures(page, folder, figures)
     page.section("Histories", level=level)

@@ -222,6 +222,7 @@ class ResumeTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("is damaged", done.stderr)
         self.expect_equal_runs(whole, run)
+        self.assertEqual(list((run / "checkpoints").glob("*.part")), [])
         for path in self.checkpoints("damaged"):
             path.write_bytes(b"")
         (run / "results.json").unlink()

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "engine/errors.hpp"
@@ -173,6 +175,26 @@ TEST(ExtremeTest, ThePapersLiteralStiffnessSinksTheSlope) {
     const ProbeSample crest = simulation.probe(0);
     EXPECT_TRUE(std::isfinite(crest.displacement[1]));
     EXPECT_LT(crest.displacement[1], -5.0);  // 9 to 13 of 15 m at rest
+  }
+}
+
+TEST(ProfileTest, TimesEveryPhaseOnceAndNoMoreThanPassed) {
+  for (const char* name : {"paper", "modern"}) {
+    Simulation simulation(small_slope(name, 0.05, 0.05, 1.5));
+    const auto start = std::chrono::steady_clock::now();
+    for (int k = 0; k < 20; ++k) simulation.step();
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    double sum = 0.0;
+    std::set<std::string> names;
+    for (const PhaseTime& time : simulation.profile()) {
+      EXPECT_GE(time.seconds, 0.0);
+      sum += time.seconds;
+      EXPECT_TRUE(names.insert(time.phase).second) << time.phase;
+    }
+    EXPECT_TRUE(names.contains("refresh_neighbours"));
+    EXPECT_EQ(names.contains("sweep_all"), std::string(name) == "paper");
+    EXPECT_GT(sum, 0.0);
+    EXPECT_LE(sum, passed.count());
   }
 }
 

@@ -55,15 +55,27 @@ Handle NewFile::create_in_memory() const {
   if (layout_ == Layout::summed) {
     check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "its version");
   }
-  return checked(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose,
+  const Handle creation = timeless(H5P_FILE_CREATE, "the root group");
+  return checked(H5Fcreate("in memory", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose,
                  "creating it");
 }
 
 void NewFile::group(const std::string& name) {
+  const Handle creation = timeless(H5P_GROUP_CREATE, name);
   Handle group =
-      checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-              H5Gclose, "creating a group");
-  check(group.close(), "closing a group");
+      checked(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+              H5Gclose, name);
+  check(group.close(), name);
+}
+
+/// HDF5 would make them too, but with the time of making.
+void NewFile::groups_above(const std::string& name) {
+  for (std::size_t end = name.find('/'); end != std::string::npos; end = name.find('/', end + 1)) {
+    const std::string above = name.substr(0, end);
+    const htri_t there = H5Lexists(file_.get(), above.c_str(), H5P_DEFAULT);
+    check(there, above);
+    if (there == 0) group(above);
+  }
 }
 
 template <class T>
@@ -71,10 +83,9 @@ void NewFile::dataset(const std::string& name, const std::vector<T>& values, con
   const auto [memory_type, file_type] = memory_and_file_type<T>();
   Handle space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                          H5Sclose, name);
-  const Handle links = checked(H5Pcreate(H5P_LINK_CREATE), H5Pclose, name);
-  check(H5Pset_create_intermediate_group(links.get(), 1), name);
+  groups_above(name);
   const Handle storage = storage_of(shape, values.size() * sizeof(T), name);
-  Handle set = checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), links.get(),
+  Handle set = checked(H5Dcreate2(file_.get(), name.c_str(), file_type, space.get(), H5P_DEFAULT,
                                   storage.get(), H5P_DEFAULT),
                        H5Dclose, name);
   if (!values.empty()) {
@@ -123,9 +134,14 @@ void NewFile::attribute(const std::string& object, const char* name,
 }
 
 /// Without the time of making, so that equal runs leave equal files.
+Handle NewFile::timeless(hid_t object_class, std::string_view name) const {
+  Handle creation = checked(H5Pcreate(object_class), H5Pclose, name);
+  check(H5Pset_obj_track_times(creation.get(), false), name);
+  return creation;
+}
+
 Handle NewFile::storage_of(const Shape& shape, std::size_t bytes, std::string_view name) const {
-  Handle storage = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
-  check(H5Pset_obj_track_times(storage.get(), false), name);
+  Handle storage = timeless(H5P_DATASET_CREATE, name);
   if (layout_ == Layout::plain) return storage;
   constexpr std::size_t small = 4096;
   if (bytes <= small) {

@@ -84,6 +84,8 @@ class NewFile {
   void attribute(const std::string& object, const char* name, hid_t type, const Handle& space,
                  const void* data);
   Handle create_in_memory() const;
+  void groups_above(const std::string& name);
+  Handle timeless(hid_t object_class, std::string_view name) const;
   Handle storage_of(const Shape& shape, std::size_t bytes, std::string_view name) const;
   Handle checked(hid_t id, Handle::Close close, std::string_view what) const;
   void check(herr_t status, std::string_view what) const;

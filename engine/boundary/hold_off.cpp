@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Keeps grains from passing a no-slip face.
 #include <array>
-#include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/parallel.hpp"
@@ -17,32 +16,12 @@ namespace {
 /// keeps half a spacing from the face: only a grain that its own pair forces do not hold gets here.
 constexpr double nearest = 0.25, deepest = -0.5;
 
-struct Face {
-  Facet facet;
-  Vec3 velocity{};
-};
-
-std::vector<Face> standing_faces(const State& state) {
-  std::vector<Face> faces;
-  for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
-    const Wall& wall = state.scene.walls[w];
-    if (wall.kind != WallKind::no_slip || !state.wall_stands[w]) continue;
-    for (const Facet& facet : wall.facets) {
-      Face face{facet, state.wall_velocity[w]};
-      face.facet.origin = plus(facet.origin, 1.0, state.wall_offset[w]);
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
-
 }  // namespace
 
 /// Equation: B4; the velocity towards the face, relative to it, becomes zero. Pair sums alone let
 /// single grains of a thin front sink: their stress goes to zero with every bounce at the apex.
 void hold_off_faces(State& state) {
   if (state.walls.count() == 0) return;
-  const std::vector<Face> faces = standing_faces(state);
   const kernels::NeighbourView lists = state.lists.view();
   const std::int64_t size = state.kernels.cluster_size;
   const int dimension = state.scene.dimension;
@@ -60,13 +39,18 @@ void hold_off_faces(State& state) {
       v[a] = velocity[a][k];
     }
     std::uint64_t held = 0;
-    for (const Face& face : faces) {
-      const FacetCoordinates at = coordinates(face.facet, dimension, x);
-      if (at.depth < -nearest * spacing || at.depth > -deepest * spacing) continue;
-      const double approach = -dot(minus(v, face.velocity), face.facet.normal);
-      if (approach <= 0.0 || !at.above(face.facet, 0.0)) continue;
-      v = plus(v, approach, face.facet.normal);
-      held = 1;
+    for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+      const Wall& wall = state.scene.walls[w];
+      if (wall.kind != WallKind::no_slip || !state.wall_stands[w]) continue;
+      const Vec3 from_wall = minus(x, state.wall_offset[w]);
+      for (const Facet& facet : wall.facets) {
+        const FacetCoordinates at = coordinates(facet, dimension, from_wall);
+        if (at.depth < -nearest * spacing || at.depth > -deepest * spacing) continue;
+        const double approach = -dot(minus(v, state.wall_velocity[w]), facet.normal);
+        if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
+        v = plus(v, approach, facet.normal);
+        held = 1;
+      }
     }
     for (std::size_t a = 0; held != 0 && a < static_cast<std::size_t>(dimension); ++a)
       velocity[a][k] = v[a];

@@ -210,8 +210,7 @@ TEST_P(PairSweepTest, EveryMixedVariantAgreesToSinglePrecision) {
 }
 
 TEST_P(PairSweepTest, MixedSweepsKnowNoOrigin) {
-  // The block 1000 smoothing lengths away, by a whole number of position steps: not one bit may
-  // change.
+  // The block 1000 smoothing lengths away. Floats would know such positions to 6e-5 h.
   const double away = 1000.0 * settings_.smoothing_length;
   ReferenceParticles moved = particles_;
   for (std::size_t k = 0; k < moved.size(); ++k) moved.position[k][0] += away;

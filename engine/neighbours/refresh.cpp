@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/cells/compact_clusters.hpp"
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
 
@@ -27,6 +28,9 @@ void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
     for (std::int64_t k = range.begin; k < range.end; ++k) {
       order[static_cast<std::size_t>(k)] = state.soil_cells.order()[next++];
     }
+    compact_clusters(state.threads, points_of(state.particles), state.kernels.cluster_size,
+                     std::span(order).subspan(static_cast<std::size_t>(range.begin),
+                                              static_cast<std::size_t>(range.end - range.begin)));
   }
   state.particles.permute(state.threads, order);
 }

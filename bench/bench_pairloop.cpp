@@ -91,7 +91,7 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   State& state = cached_block(options, tension, key);
   const auto particles = static_cast<double>(state.particles.count());
   const auto pairs = static_cast<double>(true_pairs(state));
-  const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, false,
+  const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, tension,
                                 state.kernels.correction, state.kernels.diffusion});
   // Twice as many lanes in single precision, at the same rate.
   const double lanes = state.scene.numerics.precision == Precision::mixed ? 2.0 : 1.0;

@@ -56,21 +56,25 @@ ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& tab
   // It quiets soil that flows; elastic bodies do not, and in them it feeds noise (`disc_rotation`).
   chosen.diffusion = n.stress_diffusion > 0.0 && any_plastic(scene);
   chosen.correction = n.gradient_correction;
-  const auto sweep = [&](kernels::Terms terms) {
+  const auto sweep = [&](kernels::Terms terms, bool artificial_stress) {
     const bool force = terms != kernels::Terms::gradient;
     const bool gradient = terms != kernels::Terms::force;
     const kernels::SweepVariant wanted{scene.dimension,
                                        terms,
                                        force && chosen.viscosity,
-                                       force && chosen.artificial_stress,
+                                       force && artificial_stress,
                                        gradient && chosen.correction,
                                        gradient && chosen.diffusion};
     if (n.precision == Precision::mixed) return ChosenSweep{nullptr, table.mixed_sweep_for(wanted)};
     return ChosenSweep{table.sweep_for(wanted), nullptr};
   };
-  if (n.integrator == Integrator::verlet) chosen.fused = sweep(kernels::Terms::fused);
-  chosen.gradient = sweep(kernels::Terms::gradient);
-  chosen.force = sweep(kernels::Terms::force);
+  if (n.integrator == Integrator::verlet) {
+    chosen.fused = sweep(kernels::Terms::fused, chosen.artificial_stress);
+    chosen.fused_in_compression = sweep(kernels::Terms::fused, false);
+  }
+  chosen.gradient = sweep(kernels::Terms::gradient, false);
+  chosen.force = sweep(kernels::Terms::force, chosen.artificial_stress);
+  chosen.force_in_compression = sweep(kernels::Terms::force, false);
   return chosen;
 }
 

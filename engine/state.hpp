@@ -30,7 +30,8 @@ struct ChosenKernels {
   ChosenSweep fused;     ///< Verlet
   ChosenSweep gradient;  ///< kick-drift-kick
   ChosenSweep force;     ///< kick-drift-kick, wall reactions, energies
-  int cluster_size = 0;  ///< of the pair sweeps
+  ChosenSweep fused_in_compression, force_in_compression;  ///< without artificial stress
+  int cluster_size = 0;                                    ///< of the pair sweeps
   bool artificial_stress = false;
   bool correction = false;
   bool viscosity = false;

@@ -23,17 +23,18 @@ void run(State& state, const ChosenSweep& sweep, const kernels::PairSweepView<do
   }
 }
 
-/// Tension records are only needed where a force is summed; without any tension the term is
-/// skipped.
-void run_step_sweep(State& state, const ChosenSweep& sweep, bool force) {
+/// Tension records are only needed where a force is summed; while nothing is in tension the sweep
+/// without the artificial stress runs.
+void run_force_sweep(State& state, const ChosenSweep& sweep, const ChosenSweep& in_compression) {
   kernels::PairSweepView<double> view = sweep_view(state);
-  if (force && state.kernels.artificial_stress) {
-    const bool any = state.records.pack_tension(state.threads, state.particles,
-                                                state.scene.numerics.artificial_stress);
+  bool tension = false;
+  if (state.kernels.artificial_stress) {
+    tension = state.records.pack_tension(state.threads, state.particles,
+                                         state.scene.numerics.artificial_stress);
     state.images.pack_tension(state.records);
-    state.records.fill(view, any);
+    state.records.fill(view, tension);
   }
-  run(state, sweep, view);
+  run(state, tension ? sweep : in_compression, view);
 }
 
 }  // namespace
@@ -80,9 +81,13 @@ kernels::ParticleView particle_view(State& state) {
   return view;
 }
 
-void sweep_all(State& state) { run_step_sweep(state, state.kernels.fused, true); }
-void sweep_gradient(State& state) { run_step_sweep(state, state.kernels.gradient, false); }
-void sweep_force(State& state) { run_step_sweep(state, state.kernels.force, true); }
+void sweep_all(State& state) {
+  run_force_sweep(state, state.kernels.fused, state.kernels.fused_in_compression);
+}
+void sweep_gradient(State& state) { run(state, state.kernels.gradient, sweep_view(state)); }
+void sweep_force(State& state) {
+  run_force_sweep(state, state.kernels.force, state.kernels.force_in_compression);
+}
 
 void sweep_force_with(State& state, const kernels::PairSweepView<double>& view) {
   run(state, state.kernels.force, view);

@@ -66,11 +66,13 @@ class ClusterSweep {
       unrolled<stages>([&](auto s) SCARP_LAMBDA {
         pairs[s] = geometry(entries[block + 2 * s], entries[block + 2 * s + 1]);
       });
-      bool tension = false;
-      if constexpr (Traits::artificial_stress) tension = block_has_tension(entries + block);
-      unrolled<stages>([&](auto s) SCARP_LAMBDA {
-        accumulate<Wall>(pairs[s], entries[block + 2 * s], entries[block + 2 * s + 1], tension);
-      });
+      if constexpr (Traits::artificial_stress) {
+        if (block_has_tension(entries + block)) {
+          accumulate_block<Wall, true>(pairs, entries + block);
+          continue;
+        }
+      }
+      accumulate_block<Wall, false>(pairs, entries + block);
     }
   }
 
@@ -170,9 +172,22 @@ class ClusterSweep {
     return m;
   }
 
-  template <bool Wall>
+  template <bool Wall, bool Tension>
+  SCARP_INLINE void accumulate_block(const Pair (&pairs)[stages], const std::int32_t* entries) {
+    B factor[stages];  // of the artificial stress
+    if constexpr (Tension) {
+      unrolled<stages>([&](auto s)
+                           SCARP_LAMBDA { factor[s] = xsimd::sqrt(pairs[s].distance_squared); });
+      tension_factors(factor, view_.constants.tension_factor);
+    }
+    unrolled<stages>([&](auto s) SCARP_LAMBDA {
+      accumulate<Wall, Tension>(pairs[s], entries[2 * s], entries[2 * s + 1], factor[s]);
+    });
+  }
+
+  template <bool Wall, bool Tension>
   SCARP_INLINE void accumulate(const Pair& pair, std::int32_t low, std::int32_t high,
-                               bool tension) {
+                               [[maybe_unused]] const B& tension_factor) {
     const Real* p = view_.records + std::int64_t{low} * stride;
     const Real* r = view_.records + std::int64_t{high} * stride;
     const PairMotion<B, dim> m = motion(pair, low, high);
@@ -191,26 +206,22 @@ class ClusterSweep {
       diffusion_.add(pair, i_, select_(p + record_diffusivity, r + record_diffusivity), stress,
                      view_.constants.gravity);
     }
+    if constexpr (Tension) add_tension(pair, m, low, high, tension_factor, stress);
     if constexpr (Traits::force) momentum_.add(stress, m.volume_gradient);
     if constexpr (Traits::viscosity) {
       viscosity_.add(pair, m, i_, select_(p + record_sound_speed, r + record_sound_speed),
                      view_.constants.viscosity_alpha, view_.constants.viscosity_beta,
                      momentum_.force);
     }
-    if constexpr (Traits::artificial_stress) {
-      if (tension) add_artificial_stress(pair, m, low, high);
-    }
   }
 
-  SCARP_INLINE void add_artificial_stress(const Pair& pair, const PairMotion<B, dim>& m,
-                                          std::int32_t low, std::int32_t high) {
+  SCARP_INLINE void add_tension(const Pair& pair, const PairMotion<B, dim>& m, std::int32_t low,
+                                std::int32_t high, const B& factor, B (&stress)[6]) {
     const Real* p = view_.tension_records + std::int64_t{low} * tension_record_size;
     const Real* r = view_.tension_records + std::int64_t{high} * tension_record_size;
     B tension_j[6];
     unrolled<dim == 2 ? 4 : 6>([&](auto c) SCARP_LAMBDA { tension_j[c] = select_(p + c, r + c); });
-    const B factor =
-        tension_factor(xsimd::sqrt(pair.distance_squared), view_.constants.tension_factor);
-    artificial_stress_.add(pair, m, i_, factor, tension_j, momentum_.force);
+    artificial_stress_.add(pair, m, i_, factor, tension_j, stress);
   }
 
   /// True if any entry of the block or any particle of the cluster is in tension.

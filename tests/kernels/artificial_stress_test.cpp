@@ -119,7 +119,9 @@ double fit_error(const SmoothingForm& form, double spacing_ratio, double exponen
     const double q = 0.0005 * k;
     const double exact = std::pow(form.shape(q) / form.shape(spacing_ratio), exponent);
     alignas(16) double fitted[2];
-    tension_factor(B(q), coefficients).store_aligned(fitted);
+    B factor[1] = {B(q)};
+    tension_factors(factor, coefficients);
+    factor[0].store_aligned(fitted);
     worst = std::fmax(worst, std::fabs(fitted[0] - exact));
   }
   return worst;

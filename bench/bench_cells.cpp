@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Cells, order and lists: each part of a rebuild, the order's decay, and Morton against Hilbert
-/// order.
+/// order, with and without compact clusters.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "bench/bench_main.hpp"
 #include "bench/block.hpp"
 #include "bench/hilbert.hpp"
+#include "engine/cells/compact_clusters.hpp"
 #include "engine/parallel.hpp"
 
 namespace scarp::bench {
@@ -73,7 +75,7 @@ void permute(benchmark::State& bench, State& state) {
 void rebuild(benchmark::State& bench, State& state) {
   for (auto _ : bench) {
     state.lists_valid = false;
-    if (state.rebuilds % 4 == 0) ++state.rebuilds;  // the engine sorts at every fourth
+    state.rebuilds = 1;  // the engine sorts at every fourth, counted from 0
     refresh_neighbours(state);
   }
   count(bench, state);
@@ -81,9 +83,20 @@ void rebuild(benchmark::State& bench, State& state) {
       static_cast<double>(state.lists.entries()) / static_cast<double>(state.particles.count());
 }
 
+/// The same with a re-sort before it.
+void rebuild_sorted(benchmark::State& bench, State& state) {
+  for (auto _ : bench) {
+    state.lists_valid = false;
+    state.rebuilds = 0;
+    refresh_neighbours(state);
+  }
+  count(bench, state);
+}
+
 enum class Order { morton, hilbert, random };
 
-void put_in_order(State& state, Order wanted) {
+/// `compact` splits blocks of the order into compact clusters, as the engine does.
+void put_in_order(State& state, Order wanted, bool compact) {
   const PointSpan p = points_of(state);
   const SlotRange soil = soil_of(state);
   std::vector<std::int32_t> order(static_cast<std::size_t>(state.particles.slots()));
@@ -105,16 +118,19 @@ void put_in_order(State& state, Order wanted) {
       return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)];
     });
   }
+  if (compact)
+    compact_clusters(state.threads, p, state.kernels.cluster_size, std::span(begin, end));
   state.particles.permute(state.threads, order);
   state.lists_valid = false;
-  if (state.rebuilds % 4 == 0) ++state.rebuilds;
+  state.rebuilds = 1;
   refresh_neighbours(state);
 }
 
 /// The fused sweep with the particles in a given order.
-void sweep_in_order(benchmark::State& bench, const BlockOptions& options, Order order) {
+void sweep_in_order(benchmark::State& bench, const BlockOptions& options, Order order,
+                    bool compact) {
   State state = block_state(options);
-  put_in_order(state, order);
+  put_in_order(state, order, compact);
   const auto pairs = static_cast<double>(true_pairs(state));
   for (auto _ : bench) sweep_all(state);
   count(bench, state);
@@ -136,19 +152,28 @@ void add_all(bool /*full*/) {
     for (const std::int64_t particles : {64'000, 1'000'000}) {
       const BlockOptions options{dimension, particles, preset("paper"), 1, {}};
       for (const Part part : {Part{"keys", keys}, Part{"cells", cells}, Part{"permute", permute},
-                              Part{"rebuild", rebuild}}) {
+                              Part{"rebuild", rebuild}, Part{"rebuild_sorted", rebuild_sorted}}) {
         add(fmt::format("{}/{}d/{}", part.name, dimension, particles),
             [=](benchmark::State& bench) {
               State state = block_state(options);
               part.run(bench, state);
             });
       }
-      for (const auto& [name, order] :
-           {std::pair{"morton", Order::morton}, std::pair{"hilbert", Order::hilbert},
-            std::pair{"random", Order::random}}) {
-        if (order == Order::random && particles > 100'000) continue;
-        add(fmt::format("sweep_in_order/{}/{}d/{}", name, dimension, particles),
-            [=, order = order](benchmark::State& bench) { sweep_in_order(bench, options, order); });
+      struct Arrangement {
+        const char* name;
+        Order order;
+        bool compact;
+      };
+      for (const Arrangement way : {Arrangement{"morton", Order::morton, false},
+                                    Arrangement{"hilbert", Order::hilbert, false},
+                                    Arrangement{"morton_compact", Order::morton, true},
+                                    Arrangement{"hilbert_compact", Order::hilbert, true},
+                                    Arrangement{"random", Order::random, false}}) {
+        if (way.order == Order::random && particles > 100'000) continue;
+        add(fmt::format("sweep_in_order/{}/{}d/{}", way.name, dimension, particles),
+            [=](benchmark::State& bench) {
+              sweep_in_order(bench, options, way.order, way.compact);
+            });
       }
     }
   }

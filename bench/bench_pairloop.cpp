@@ -65,34 +65,26 @@ Body in_mixed(Body body) {
   return body;
 }
 
-void put_in_tension(State& state) {
-  for (const kernels::Component c : {kernels::xx, kernels::yy, kernels::zz}) {
-    double* stress = state.particles.component(Field::stress, c);
-    std::fill(stress, stress + state.particles.slots(), 1e4);
-  }
-}
-
 /// One block is kept: runs that differ only in the sweep share it.
-State& cached_block(const BlockOptions& options, bool tension, const std::string& key) {
+State& cached_block(const BlockOptions& options, const std::string& key) {
   static std::string present;
   static std::unique_ptr<State> block;
   if (present != key) {
     block.reset();
     block = std::make_unique<State>(block_state(options));
-    if (tension) put_in_tension(*block);
-    refresh_neighbours(*block);
     present = key;
   }
   return *block;
 }
 
-void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& options, bool tension,
+void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& options,
          const std::string& key) {
-  State& state = cached_block(options, tension, key);
+  State& state = cached_block(options, key);
   const auto particles = static_cast<double>(state.particles.count());
   const auto pairs = static_cast<double>(true_pairs(state));
-  const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, tension,
-                                state.kernels.correction, state.kernels.diffusion});
+  const int flops =
+      pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, options.tension,
+                  state.kernels.correction, state.kernels.diffusion});
   // Twice as many lanes in single precision, at the same rate.
   const double lanes = state.scene.numerics.precision == Precision::mixed ? 2.0 : 1.0;
   const double peak = lanes * fma_peak(state.kernels.table->isa) * options.threads;
@@ -116,12 +108,12 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
 
 void add(const Sweep& sweep, const Body& body, BlockOptions options) {
   options.numerics = body.numerics;
+  options.tension = body.tension;
   const std::string block = fmt::format("{}d/{}/{}/{}/{}/threads:{}", options.dimension, body.name,
                                         precision_name(body.numerics.precision), options.isa,
                                         options.particles, options.threads);
-  benchmark::RegisterBenchmark(
-      fmt::format("{}/{}", sweep.name, block).c_str(),
-      [=](benchmark::State& bench) { run(bench, sweep, options, body.tension, block); })
+  benchmark::RegisterBenchmark(fmt::format("{}/{}", sweep.name, block).c_str(),
+                               [=](benchmark::State& bench) { run(bench, sweep, options, block); })
       ->UseRealTime()
       ->Unit(benchmark::kMillisecond);
 }

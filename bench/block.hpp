@@ -17,7 +17,30 @@ struct BlockOptions {
   int threads = 1;
   std::string isa;
   bool elastic = false;  ///< no plasticity
+  bool tension = false;  ///< in uniform tension instead of compression
+  bool walls = false;    ///< no-slip base, free-slip sides
+  bool energy = false;   ///< the energy balance
 };
+
+/// Base and sides of a box; the soil is inside.
+inline std::vector<Wall> box_walls(int dimension, double side) {
+  const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  std::vector<Wall> walls(2);
+  walls[0].name = "base";
+  walls[1].name = "sides";
+  walls[1].kind = WallKind::free_slip;
+  if (dimension == 2) {
+    walls[0].facets = {{{}, x, {}, side, 0.0, y}};
+    walls[1].facets = {{{}, y, {}, side, 0.0, x}, {{side, 0, 0}, y, {}, side, 0.0, {-1, 0, 0}}};
+  } else {
+    walls[0].facets = {{{}, x, y, side, side, z}};
+    walls[1].facets = {{{}, y, z, side, side, x},
+                       {{side, 0, 0}, y, z, side, side, {-1, 0, 0}},
+                       {{}, x, z, side, side, y},
+                       {{0, side, 0}, x, z, side, side, {0, -1, 0}}};
+  }
+  return walls;
+}
 
 inline Scene block_scene(const BlockOptions& options) {
   Scene scene;
@@ -27,15 +50,21 @@ inline Scene block_scene(const BlockOptions& options) {
   scene.gravity = {};
   scene.gravity[static_cast<std::size_t>(options.dimension - 1)] = -9.81;
   scene.numerics = options.numerics;
+  // Without cohesion the soil cannot come into tension while its faces let go.
+  const double cohesion = options.tension ? 10e3 : 0.0;
   scene.materials = {{"soil",
                       "drucker_prager",
                       2000.0,
-                      {100e6, 0.3, 10e3, 0.35, 0.15, options.dimension == 2 ? 0.0 : 1.0}}};
+                      {100e6, 0.3, cohesion, 0.35, 0.15, options.dimension == 2 ? 0.0 : 1.0}}};
   if (options.elastic) scene.materials = {{"rock", "linear_elastic", 2000.0, {100e6, 0.3}}};
   const double side =
       std::round(std::pow(static_cast<double>(options.particles), 1.0 / options.dimension));
   scene.bodies = {{0, Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};
-  scene.initial_stress = InitialStress::geostatic;
+  const double pressure = options.tension ? -1e3 : 100e3;
+  scene.initial_stress = InitialStress::uniform;
+  scene.uniform_stress = {-pressure, -pressure, -pressure, 0.0, 0.0, 0.0};
+  if (options.walls) scene.walls = box_walls(options.dimension, side);
+  scene.output.energy = options.energy;
   scene.stages.resize(1);
   scene.stages[0].name = "bench";
   scene.stages[0].duration = 1e9;

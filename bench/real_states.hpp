@@ -3,10 +3,11 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <tuple>
 
+#include "engine/checkpoint/snapshot.hpp"
+#include "engine/parallel.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "engine/simulation.hpp"
 
@@ -33,12 +34,10 @@ inline RealState run_out_3d(double spacing) {
   return {"run_out/3d", "cuboid_3d", spacing, 1.0, 0.4};
 }
 
-/// The state after its time, in a stage that does not end; made once. Clone it to step it.
-inline Simulation& made(const RealState& wanted, const std::string& preset_name, int threads) {
-  static std::map<std::tuple<std::string, double, std::string, int>, std::unique_ptr<Simulation>>
-      known;
-  auto& simulation = known[{wanted.name, wanted.spacing, preset_name, threads}];
-  if (simulation) return *simulation;
+/// A simulation in that state, in a stage that does not end, on so many threads. The state is made
+/// once.
+inline Simulation made(const RealState& wanted, const std::string& preset_name, int threads) {
+  static std::map<std::tuple<std::string, double, std::string>, Snapshot> known;
   Scene scene =
       read_scene(std::string(SCARP_CASES) + "/" + wanted.scene + "/" + wanted.scene + ".toml",
                  {.preset = preset_name, .spacing = wanted.spacing});
@@ -46,10 +45,14 @@ inline Simulation& made(const RealState& wanted, const std::string& preset_name,
   scene.stages[1].strength_reduction = wanted.strength_reduction;
   scene.stages[1].duration = 1e3;
   scene.stages[1].until = StageEnd::duration;
-  simulation = std::make_unique<Simulation>(scene, RunOptions{threads, {}});
-  while (simulation->stage_index() == 0 || simulation->last_step().stage_time < wanted.stage_time)
-    simulation->step();
-  return *simulation;
+  const std::tuple key{wanted.name, wanted.spacing, preset_name};
+  if (!known.contains(key)) {
+    Simulation simulation(scene, RunOptions{default_threads(), {}});
+    while (simulation.stage_index() == 0 || simulation.last_step().stage_time < wanted.stage_time)
+      simulation.step();
+    known.emplace(key, simulation.snapshot());
+  }
+  return Simulation(scene, known.at(key), RunOptions{threads, {}});
 }
 
 }  // namespace scarp::bench

@@ -89,7 +89,7 @@ void sample_energy(State& state) {
   }
   const auto power_of = [&](bool viscosity, bool tension) {
     if (!viscosity) view.constants.viscosity_alpha = view.constants.viscosity_beta = 0.0;
-    state.records.fill(view, tension && state.kernels.artificial_stress);
+    state.records.fill(view, tension && state.records.has_tension_records());
     sweep_force_with(state, view);
     return power(state, acceleration);
   };

@@ -31,7 +31,7 @@ void run_force_sweep(State& state, const ChosenSweep& sweep, const ChosenSweep& 
   if (state.kernels.artificial_stress) {
     tension = state.records.pack_tension(state.threads, state.particles,
                                          state.scene.numerics.artificial_stress);
-    state.images.pack_tension(state.records);
+    if (state.records.has_tension_records()) state.images.pack_tension(state.records);
     state.records.fill(view, tension);
   }
   run(state, tension ? sweep : in_compression, view);

@@ -12,12 +12,21 @@ namespace scarp {
 
 using namespace kernels;
 
-Records::Records(std::int64_t soil_slots, std::int64_t wall_slots, bool artificial_stress)
+namespace {
+
+SymTensor<double> stress_of(const double* const (&stress)[6], std::int64_t k, int dimension) {
+  return {stress[xx][k],
+          stress[yy][k],
+          stress[zz][k],
+          stress[xy][k],
+          dimension == 3 ? stress[yz][k] : 0.0,
+          dimension == 3 ? stress[zx][k] : 0.0};
+}
+
+}  // namespace
+
+Records::Records(std::int64_t soil_slots, std::int64_t wall_slots)
     : first_wall_(soil_slots), first_image_(soil_slots + wall_slots), far_record_(first_image_) {
-  if (artificial_stress) {
-    tension_records_.resize(1);  // marks the term as used; `resize_images` gives the size
-    tension_.resize(1);
-  }
   resize_images(0);
 }
 
@@ -36,8 +45,7 @@ void Records::resize_images(std::int64_t count) {
   records_.resize(total * record_size);
   set_far(kept);
   if (has_tension_records()) {
-    tension_records_.resize(total * tension_record_size, 0.0);
-    tension_.resize(total, 0);
+    resize_tension();
     std::fill(tension_records_.begin() + first_image_ * tension_record_size, tension_records_.end(),
               0.0);
     std::fill(tension_.begin() + first_image_, tension_.end(), std::uint8_t{0});
@@ -89,7 +97,35 @@ double Records::pack_soil(int threads, const ParticleBuffers& particles,
   return largest;
 }
 
+void Records::resize_tension() {
+  const auto total = static_cast<std::size_t>(far_record_ + 1);
+  tension_records_.resize(total * tension_record_size, 0.0);
+  tension_.resize(total, 0);
+}
+
+bool Records::any_tension(int threads, const ParticleBuffers& particles) const {
+  const double* stress[6];
+  particles.components(Field::stress, stress);
+  bool any = false;
+  for (const ParticleGroup& group : particles.groups()) {
+    const auto look = [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+        if (!in_compression(stress_of(stress, k, particles.dimension()), particles.dimension()))
+          return 1;
+      }
+      return 0;
+    };
+    any |= parallel_reduce(threads, group.count, particle_chunk, 0, look,
+                           [](int& total, int part) { total |= part; }) != 0;
+  }
+  return any;
+}
+
 bool Records::pack_tension(int threads, const ParticleBuffers& particles, double epsilon) {
+  if (!has_tension_records()) {
+    if (!any_tension(threads, particles)) return false;
+    resize_tension();
+  }
   const int dimension = particles.dimension();
   const double* stress[6];
   particles.components(Field::stress, stress);
@@ -99,12 +135,7 @@ bool Records::pack_tension(int threads, const ParticleBuffers& particles, double
     const auto pack = [&](std::int64_t begin, std::int64_t end) {
       int found = 0;
       for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
-        const SymTensor<double> s{stress[xx][k],
-                                  stress[yy][k],
-                                  stress[zz][k],
-                                  stress[xy][k],
-                                  dimension == 3 ? stress[yz][k] : 0.0,
-                                  dimension == 3 ? stress[zx][k] : 0.0};
+        const SymTensor<double> s = stress_of(stress, k, dimension);
         double* r = tension_records_.data() + k * tension_record_size;
         if (in_compression(s, dimension)) {
           if (tension_[static_cast<std::size_t>(k)] != 0)

@@ -25,7 +25,7 @@ inline constexpr double far_away = 1e8;
 class Records {
  public:
   Records() = default;
-  Records(std::int64_t soil_slots, std::int64_t wall_slots, bool artificial_stress);
+  Records(std::int64_t soil_slots, std::int64_t wall_slots);
 
   /// Room for this many mirror images behind the dummies; the far record follows them.
   void resize_images(std::int64_t count);
@@ -34,7 +34,7 @@ class Records {
   /// the lists were built [m2] (0 without build positions).
   double pack_soil(int threads, const ParticleBuffers& particles, const RecordScaling& scaling);
   /// Writes the artificial stress of particles in tension (Eq. 27 with `epsilon`), and returns
-  /// whether any is.
+  /// whether any is. Takes memory for tension records from the first time on that any is.
   bool pack_tension(int threads, const ParticleBuffers& particles, double epsilon);
 
   double* wall(std::int64_t dummy) {
@@ -55,6 +55,9 @@ class Records {
   void fill(kernels::PairSweepView<double>& view, bool with_tension) const;
 
  private:
+  void resize_tension();
+  bool any_tension(int threads, const ParticleBuffers& particles) const;
+
   std::int64_t first_wall_ = 0;
   std::int64_t first_image_ = 0;
   std::int64_t far_record_ = 0;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
 
 #include "engine/cells/cell_grid.hpp"
+#include "engine/cells/compact_clusters.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
 #include "engine/particles/particle_buffers.hpp"
 
@@ -38,6 +40,54 @@ TEST(MortonTest, InterleavesBits) {
   EXPECT_EQ(morton_key(0, 0, 1), 4u);
   EXPECT_EQ(morton_key(0b11, 0b101, 0b001), 0b010'001'111u);  // x 011, y 101, z 001, x lowest
   EXPECT_EQ(morton_key(0x1fffff, 0x1fffff, 0x1fffff), 0x7fffffffffffffffu);
+}
+
+/// Sum over clusters of the squared diagonal of their bounding box.
+double spread_of(const Points& points, const std::vector<std::int32_t>& order, std::size_t size) {
+  double sum = 0.0;
+  for (std::size_t first = 0; first < order.size(); first += size) {
+    for (const auto* values : {&points.x, &points.y, &points.z}) {
+      double low = INFINITY, high = -INFINITY;
+      for (std::size_t k = first; k < std::min(first + size, order.size()); ++k) {
+        low = std::min(low, (*values)[static_cast<std::size_t>(order[k])]);
+        high = std::max(high, (*values)[static_cast<std::size_t>(order[k])]);
+      }
+      sum += (high - low) * (high - low);
+    }
+  }
+  return sum;
+}
+
+TEST(CompactClustersTest, PermuteBlocksIntoSmallerClusters) {
+  const Points points = random_points(1003, 5);
+  CellGrid grid;
+  const SlotRange range{0, 1003};
+  grid.build(1, points.span(), {&range, 1}, 0.7);
+  const std::vector<std::int32_t> morton(grid.order().begin(), grid.order().end());
+  for (const int size : {2, 4, 8}) {
+    std::vector<std::int32_t> one = morton, three = morton;
+    compact_clusters(1, points.span(), size, one);
+    compact_clusters(3, points.span(), size, three);
+    EXPECT_EQ(one, three);
+    for (std::size_t block = 0; block < one.size(); block += 64) {
+      const auto end = static_cast<std::ptrdiff_t>(std::min(block + 64, one.size()));
+      const auto begin = static_cast<std::ptrdiff_t>(block);
+      const std::set<std::int32_t> before(morton.begin() + begin, morton.begin() + end);
+      const std::set<std::int32_t> after(one.begin() + begin, one.begin() + end);
+      EXPECT_EQ(before, after);
+    }
+    const auto clusters = static_cast<std::size_t>(size);
+    EXPECT_LT(spread_of(points, one, clusters), spread_of(points, morton, clusters));
+  }
+}
+
+TEST(CompactClustersTest, BearPositionsThatAreNotNumbers) {
+  Points points = random_points(64, 6);
+  std::vector<std::int32_t> order(64);
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t k = 0; k < 64; k += 3) points.x[k] = points.y[k] = points.z[k] = NAN;
+  compact_clusters(1, points.span(), 4, order);
+  EXPECT_EQ(std::set<std::int32_t>(order.begin(), order.end()).size(), 64u);
 }
 
 TEST(CellGridTest, OrderIsAPermutationSortedByKey) {

@@ -48,7 +48,7 @@ struct Numerics {
   int verlet_restart_interval = 40;  ///< M of Eq. 29 [steps]
   double cfl = 1.0;                  ///< N_CFL of Eq. 30 [-]
   bool near_yield_limiter = false;   ///< rate forms only: shorten a step that first meets yield
-  double skin = 0.1;                 ///< margin of the neighbour lists in h [-]
+  double skin = 0.15;                ///< margin of the neighbour lists in h [-]
   double density_minimum = 0.5;      ///< bound on density over reference density [-]
   double density_maximum = 1.2;      ///< bound on density over reference density [-]
   Precision precision = Precision::real64;  ///< of the pair sweep; the state is always double

@@ -77,7 +77,11 @@ void add_with_and_without() {
        [](BlockOptions& o) { o.numerics.viscosity_alpha = o.numerics.viscosity_beta = 0.0; }},
       {"artificial_stress_at_work", [](BlockOptions& o) { o.tension = true; }},
       {"gradient_correction", [](BlockOptions& o) { o.numerics.gradient_correction = true; }},
-      {"elastic", [](BlockOptions& o) { o.elastic = true; }},
+      {"elastic",
+       [](BlockOptions& o) {
+         o.elastic = true;  // may come into tension, so without the artificial stress
+         o.numerics.artificial_stress = 0.0;
+       }},
       {"walls", [](BlockOptions& o) { o.walls = true; }},
       {"energy", [](BlockOptions& o) { o.energy = true; }}};
   const std::vector<Change> of_modern{
@@ -124,6 +128,8 @@ void add_all(bool full) {
                     options);
         }
       }
+      add_block(fmt::format("weak/3d/{}/double", name),
+                {3, 88'000L * threads, preset(name), threads, {}});
       for (const RealState& state : states) {
         add(fmt::format("step/{}/{}/dx:{}/threads:{}", state.name, name, state.spacing, threads),
             [=](benchmark::State& bench) { step_from(bench, made(state, name, threads), 400); });

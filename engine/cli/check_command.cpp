@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <vector>
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/trial.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/warnings.hpp"
 
@@ -19,14 +18,6 @@ namespace scarp::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// What a few real steps tell about the whole run.
-struct Trial {
-  double time_step = 0.0;         ///< [s]
-  double seconds_per_step = 0.0;  ///< NaN: not measured
-  std::size_t memory = 0;         ///< [bytes]
-  std::string failure;
-};
 
 /// Neighbours a particle has in the undisturbed lattice, itself not counted: the support is 2h
 /// wide.
@@ -36,37 +27,6 @@ double lattice_neighbours(const Scene& scene) {
                                ? std::numbers::pi * radius * radius
                                : 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
   return particles - 1.0;
-}
-
-/// The first steps build lists, warm caches and let the time step grow from its start; they are not
-/// timed. Then a second's worth of steps, so that rebuilds of the lists are in their share.
-Trial try_steps(Simulation& simulation) {
-  using Clock = std::chrono::steady_clock;
-  constexpr int warm_up = 20, most = 5000;
-  constexpr double enough = 1.0;  // [s]
-  Trial trial;
-  trial.seconds_per_step = std::numeric_limits<double>::quiet_NaN();
-  try {
-    const auto began = Clock::now();
-    const auto since = [](Clock::time_point start) {
-      return std::chrono::duration<double>(Clock::now() - start).count();
-    };
-    for (int n = 0; n < warm_up && !simulation.finished() && (n == 0 || since(began) < enough); ++n)
-      trial.time_step = simulation.step().time_step;
-    const auto start = Clock::now();
-    double simulated = 0.0;
-    for (int n = 1; n <= most && !simulation.finished(); ++n) {
-      simulated += simulation.step().time_step;
-      const double elapsed = since(start);
-      trial.time_step = simulated / n;
-      trial.seconds_per_step = elapsed / n;
-      if (elapsed > enough) break;
-    }
-  } catch (const SimulationInstability& instability) {
-    trial.failure = instability.what();
-  }
-  trial.memory = simulation.memory_bytes();
-  return trial;
 }
 
 Json summary(const Simulation& simulation) {
@@ -174,7 +134,7 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial) {
 int check_command(const SceneArguments& arguments) {
   Simulation simulation(load_scene(arguments), arguments.options);
   Json json = summary(simulation);
-  const Trial trial = try_steps(simulation);
+  const Trial trial = try_steps(simulation, 1.0);
   add_trial(json, trial, total_duration(simulation.scene()));
   if (arguments.json != "-") print(simulation, json, trial);
   if (!arguments.json.empty()) write_text(arguments.json, json.dump(2) + "\n");

@@ -27,6 +27,12 @@ Json json_of(const Measure& measure) {
   return json;
 }
 
+Json json_of(const ClaimLine& claim) {
+  return {{"section", claim.section}, {"quote", claim.quote},
+          {"measure", claim.measure}, {"numbers", claim.numbers},
+          {"verdict", claim.verdict}, {"sensitivity", claim.sensitivity}};
+}
+
 Json facts(const std::filesystem::path& path, const Simulation& simulation,
            const CaseResult& result) {
   write_results(path, simulation,
@@ -116,6 +122,8 @@ void write_case_results(const std::filesystem::path& path, const Simulation* sim
     }
     json["convergence"].push_back(std::move(one));
   }
+  json["claims"] = Json::array();
+  for (const ClaimLine& claim : result.claims) json["claims"].push_back(json_of(claim));
   json["case"] = result.case_name;
   json["form"] = result.form;
   json["pass"] = passed(result);
@@ -144,6 +152,7 @@ std::string console_table(const CaseResult& result) {
         fmt::format("  {}{:<{}}  {:>11} {:<4} {:<22} {}\n", mark, measure.name, width,
                     fmt::format("{:.5g}", measure.value), measure.unit, against, measure.source);
   }
+  text += claims_text(result.claims);
   if (!result.failure.empty()) text += fmt::format("  FAIL  {}\n", result.failure);
   text += fmt::format("{} {} ({}): {} of {} judged measures pass, {:.0f} s\n",
                       passed(result) ? "PASS" : "FAIL", result.case_name, result.form,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/output/results.hpp"
+#include "validation/paper/claims.hpp"
 
 namespace scarp::validation {
 
@@ -53,6 +54,7 @@ struct CaseResult {
   std::string case_name;
   std::string form;  ///< "short", "main" or "full"
   std::vector<Measure> measures;
+  std::vector<ClaimLine> claims;  ///< of the paper; never judged as pass or fail
   std::vector<StageResult> stages;
   std::vector<RunCost> runs;
   std::vector<ConvergenceSeries> convergence;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "validation/case_run.hpp"
+#include "validation/paper/set_forecast.hpp"
 
 namespace scarp::validation {
 
@@ -27,6 +28,8 @@ struct ErrorProblem {
 
 void slope_2d(CaseRun& run);
 void cuboid_3d(CaseRun& run);
+void slope_curvature(CaseRun& run);
+void slope_corner(CaseRun& run);
 void oedometer(CaseRun& run);
 void elastic_wave(CaseRun& run);
 void patch(CaseRun& run);
@@ -48,18 +51,28 @@ extern const ErrorProblem disc_rotation_problem;
 extern const ErrorProblem footing_problem;
 extern const ErrorProblem aluminium_bars_problem;
 
+/// The runs of a case that are still to come, for the forecast of a set.
+using RunsFunction = std::vector<PlannedRun> (*)(const CaseRun&);
+std::vector<PlannedRun> slope_curvature_runs(const CaseRun& run);
+std::vector<PlannedRun> slope_corner_runs(const CaseRun& run);
+
 struct CaseRow {
   std::string_view name;
   std::string_view set;  ///< "paper" or "verification"
   std::string_view sentence;
   CaseFunction function;
   const ErrorProblem* problem = nullptr;  ///< null: no scalar error is swept
+  RunsFunction runs = nullptr;            ///< null: not in the forecast
 };
 
 inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"slope_2d", "paper", "Cohesive slope in plane strain, strength cut by 1.4 (sample 1).",
      slope_2d, &slope_2d_problem},
     {"cuboid_3d", "paper", "Collapse of a granular cuboid behind a gate (sample 2).", cuboid_3d},
+    {"slope_curvature", "paper", "Concave, straight and convex slopes in 3D (case 1).",
+     slope_curvature, nullptr, slope_curvature_runs},
+    {"slope_corner", "paper", "Slopes that turn a concave and a convex corner (case 2).",
+     slope_corner, nullptr, slope_corner_runs},
     {"oedometer", "verification", "Elastic column between smooth walls under its own weight.",
      oedometer, &oedometer_problem},
     {"elastic_wave", "verification", "Standing longitudinal wave in a confined elastic bar.",

@@ -15,6 +15,8 @@
 
 namespace scarp::validation {
 
+class SetForecast;
+
 /// How much of a case is run: for a quick check, as published, or finer.
 enum class Form { short_form, main, full };
 
@@ -26,6 +28,8 @@ struct CaseOptions {
   double spacing = 0.0;               ///< in place of the form's [m]
   RunOptions run;
   bool quiet = false;
+  bool resume = false;  ///< keep and go on with runs of studies that an earlier call left
+  SetForecast* forecast = nullptr;  ///< told of the runs of studies; may be null
   /// A run with a particle faster than sound counts as unstable. Lost grains slow a run until it
   /// would never end.
   bool stop_when_supersonic = false;
@@ -71,6 +75,7 @@ class CaseRun {
   void add(Measure measure) { result_.measures.push_back(std::move(measure)); }
   /// Books a run that was not stepped by this class.
   void add(RunCost cost) { result_.runs.push_back(std::move(cost)); }
+  void add(ClaimLine claim) { result_.claims.push_back(std::move(claim)); }
   void add(ConvergenceSeries series) { result_.convergence.push_back(std::move(series)); }
   const CaseOptions& options() const { return options_; }
   bool short_form() const { return options_.form == Form::short_form; }

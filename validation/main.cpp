@@ -44,10 +44,24 @@ bool run_case(const CaseRow& row, const CaseOptions& options) {
   } catch (const Error& error) {
     run.finish(nullptr, error.what());
   }
+  if (options.forecast != nullptr) options.forecast->end(std::string(row.name));
   fmt::print("{}", console_table(run.result()));
   fmt::print("  {}\n", write_report(run.folder()));
   std::fflush(stdout);
   return passed(run.result());
+}
+
+/// Times a few steps of every run to come and says what all will take.
+void forecast_runs(const std::vector<const CaseRow*>& rows, const CaseOptions& options,
+                   SetForecast& forecast) {
+  for (const CaseRow* row : rows) {
+    if (row->runs == nullptr) continue;
+    const std::string name(row->name);
+    for (const PlannedRun& planned : row->runs(CaseRun(name, options))) {
+      forecast.plan(name, planned, options.run);
+    }
+  }
+  forecast.print();
 }
 
 /// Draws the page over all cases in the folder, which cases.json names for it.
@@ -70,6 +84,9 @@ int run_command(Arguments& arguments) {
     options.spacing =
         parse_quantity(bare ? arguments.spacing + " m" : arguments.spacing, kernels::Unit::length);
   }
+  SetForecast forecast(options.quiet);
+  forecast_runs(rows, options, forecast);
+  options.forecast = &forecast;
   bool all_pass = true;
   nlohmann::ordered_json results{{"format", "scarp validation"}, {"version", 1}};
   results["cases"] = nlohmann::ordered_json::array();
@@ -159,6 +176,9 @@ int run_program(int argc, char** argv) {
   run->add_option("--spacing", arguments.spacing, "Particle spacing, e.g. \"0.5 m\"");
   run->add_option("--isa", options.run.isa, "Instruction set: sse2, avx2, avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+  run->add_flag(
+      "--resume", options.resume,
+      "Keep the runs of the 3D slopes that an earlier call finished, go on with the others");
   run->add_option("--json", arguments.json, "Write all results here, - for standard output");
   run->add_flag("-q,--quiet", options.quiet, "No progress");
 

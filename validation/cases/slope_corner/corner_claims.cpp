@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The paper's sentences on slopes that turn a corner.
+
+#include "validation/cases/slope_corner/corner_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scarp::validation {
+namespace {
+
+using Shape = SlopeShape;
+
+constexpr const char* case_2 = "Case 2";
+constexpr const char* conclusions = "Conclusions (c)";
+constexpr double almost_immobile = 0.1;  ///< of the plane counterpart
+constexpr double far_below = 0.5;        ///< of the plane counterpart
+
+/// A value of a corner slope's section and of the plane counterparts of sections P and Q.
+struct AgainstPlane {
+  double value, plane_p, plane_q;
+  std::string text() const {
+    return fmt::format("3D {:.3g}, 2D of P {:.3g}, 2D of Q {:.3g} m", value, plane_p, plane_q);
+  }
+  Finding finding(bool holds) const {
+    return {if_measured({value, plane_p, plane_q}, holds), text()};
+  }
+  bool between() const {
+    return value > std::min(plane_p, plane_q) && value < std::max(plane_p, plane_q);
+  }
+};
+
+AgainstPlane top(const ReadingOutcomes& all, Shape shape, const char* probe) {
+  constexpr const char* plane = "crest: settlement [m]";
+  return {all.of(shape).at(fmt::format("{}: settlement [m]", probe)),
+          all.of(Shape::plane_35).at(plane), all.of(Shape::plane_45).at(plane)};
+}
+
+AgainstPlane toe(const ReadingOutcomes& all, Shape shape, const char* probe) {
+  constexpr const char* plane = "toe: advance [m]";
+  return {all.of(shape).at(fmt::format("{}: advance [m]", probe)),
+          all.of(Shape::plane_35).at(plane), all.of(Shape::plane_45).at(plane)};
+}
+
+/// The same value at P and at Q of one slope.
+struct Pair {
+  double p, q;
+  Finding finding(bool holds, const char* unit) const {
+    return {if_measured({p, q}, holds), fmt::format("P {:.3g}, Q {:.3g} {}", p, q, unit)};
+  }
+};
+
+Pair tops(const ReadingOutcomes& all, Shape shape) {
+  return {top(all, shape, "P1").value, top(all, shape, "Q1").value};
+}
+
+Pair toes(const ReadingOutcomes& all, Shape shape) {
+  return {toe(all, shape, "P2").value, toe(all, shape, "Q2").value};
+}
+
+Finding slip_surface(const ReadingOutcomes& all, Shape shape, double sign) {
+  const double above = all.of(shape).at("slip surface, either side above the corner [m]");
+  return {if_measured({above}, sign * above > 0.0),
+          fmt::format("either side {:.3g} m above the corner", above)};
+}
+
+Finding concave_wing(const ReadingOutcomes& all) {
+  return slip_surface(all, Shape::concave_corner, 1.0);
+}
+
+Finding convex_wing(const ReadingOutcomes& all) {
+  return slip_surface(all, Shape::convex_corner, -1.0);
+}
+
+Finding symmetrical(const ReadingOutcomes& all) {
+  constexpr const char* sides = "slide volume, difference of the sides over both [-]";
+  const double concave = all.of(Shape::concave_corner).at(sides),
+               convex = all.of(Shape::convex_corner).at(sides);
+  return {if_measured({concave, convex}, concave < 0.02 && convex < 0.02),
+          fmt::format("concave {:.2g}, convex {:.2g}", concave, convex)};
+}
+
+template <Shape shape>
+Finding centre_moves_less(const ReadingOutcomes& all) {
+  const Pair t = tops(all, shape), f = toes(all, shape);
+  return {if_measured({t.p, t.q, f.p, f.q}, t.p < t.q && f.p < f.q),
+          fmt::format("top P {:.3g}, Q {:.3g}; toe P {:.3g}, Q {:.3g} m", t.p, t.q, f.p, f.q)};
+}
+
+Finding flatter_is_more_stable(const ReadingOutcomes& all) {
+  const AgainstPlane crest = top(all, Shape::convex_corner, "P1");
+  return {if_measured({crest.plane_p, crest.plane_q}, crest.plane_p < crest.plane_q),
+          fmt::format("2D of P {:.3g}, of Q {:.3g} m", crest.plane_p, crest.plane_q)};
+}
+
+Pair normal_stress(const ReadingOutcomes& all, Shape shape, const char* moment) {
+  const Outcome& outcome = all.of(shape);
+  return {outcome.at(fmt::format("section P: across, {} [Pa]", moment)) / 1e3,
+          outcome.at(fmt::format("section Q: across, {} [Pa]", moment)) / 1e3};
+}
+
+Finding centre_less_constrained(const ReadingOutcomes& all) {
+  const Pair stress = normal_stress(all, Shape::convex_corner, "settled");
+  return stress.finding(stress.p < stress.q, "kPa");
+}
+
+Finding concave_top_immobile(const ReadingOutcomes& all) {
+  const AgainstPlane p1 = top(all, Shape::concave_corner, "P1");
+  return p1.finding(p1.value < almost_immobile * p1.plane_p);
+}
+
+Finding convex_top_between(const ReadingOutcomes& all) {
+  const AgainstPlane p1 = top(all, Shape::convex_corner, "P1");
+  return p1.finding(p1.between());
+}
+
+Finding toes_far_below(const ReadingOutcomes& all) {
+  const AgainstPlane concave = toe(all, Shape::concave_corner, "P2"),
+                     convex = toe(all, Shape::convex_corner, "P2");
+  return {if_measured({concave.value, convex.value, convex.plane_p},
+                      std::max(concave.value, convex.value) < far_below * convex.plane_p),
+          fmt::format("concave {:.3g}, convex {:.3g}, 2D of P {:.3g} m", concave.value,
+                      convex.value, convex.plane_p)};
+}
+
+Finding plane_q_higher(const ReadingOutcomes& all) {
+  const AgainstPlane p2 = toe(all, Shape::convex_corner, "P2");
+  return {if_measured({p2.plane_p, p2.plane_q}, p2.plane_q > p2.plane_p),
+          fmt::format("2D of P {:.3g}, of Q {:.3g} m", p2.plane_p, p2.plane_q)};
+}
+
+Finding concave_q1_between(const ReadingOutcomes& all) {
+  const AgainstPlane q1 = top(all, Shape::concave_corner, "Q1");
+  return q1.finding(q1.between());
+}
+
+Finding concave_q2_between(const ReadingOutcomes& all) {
+  const AgainstPlane q2 = toe(all, Shape::concave_corner, "Q2");
+  return q2.finding(q2.between());
+}
+
+Finding convex_q1_below(const ReadingOutcomes& all) {
+  const AgainstPlane q1 = top(all, Shape::convex_corner, "Q1");
+  return q1.finding(q1.value < q1.plane_p);
+}
+
+Finding convex_q2_below(const ReadingOutcomes& all) {
+  const AgainstPlane q2 = toe(all, Shape::convex_corner, "Q2");
+  return q2.finding(q2.value < q2.plane_p);
+}
+
+Finding corner_toe_safe(const ReadingOutcomes& all) {
+  const Pair concave = toes(all, Shape::concave_corner), convex = toes(all, Shape::convex_corner);
+  return {if_measured({concave.p, concave.q, convex.p, convex.q},
+                      concave.p < concave.q && convex.p < convex.q),
+          fmt::format("concave P2 {:.3g}, Q2 {:.3g}; convex P2 {:.3g}, Q2 {:.3g} m", concave.p,
+                      concave.q, convex.p, convex.q)};
+}
+
+Finding convex_top_unstable(const ReadingOutcomes& all) {
+  const Pair t = tops(all, Shape::convex_corner);
+  const double foot = toe(all, Shape::convex_corner, "P2").value;
+  return {if_measured({t.p, t.q, foot}, t.p > t.q && t.p > foot),
+          fmt::format("P1 {:.3g}, Q1 {:.3g}, P2 {:.3g} m", t.p, t.q, foot)};
+}
+
+Finding concave_side_unstable(const ReadingOutcomes& all) {
+  return centre_moves_less<Shape::concave_corner>(all);
+}
+
+Finding stresses_hold_concave(const ReadingOutcomes& all) {
+  const double concave = normal_stress(all, Shape::concave_corner, "settled").p,
+               convex = normal_stress(all, Shape::convex_corner, "settled").p;
+  const double plane = all.of(Shape::plane_35).at("section: across, settled [Pa]") / 1e3;
+  return {if_measured({concave, convex, plane}, concave > plane && convex < plane),
+          fmt::format("concave {:.3g}, 2D {:.3g}, convex {:.3g} kPa", concave, plane, convex)};
+}
+
+Finding q_fails_first(const ReadingOutcomes& all) {
+  std::string numbers;
+  bool holds = true;
+  for (const Shape shape : {Shape::concave_corner, Shape::convex_corner}) {
+    const double p = all.of(shape).at("P1: failed after [s]"),
+                 q = all.of(shape).at("Q1: failed after [s]");
+    holds &= q < (std::isnan(p) ? INFINITY : p);  // NaN: it never failed
+    numbers +=
+        fmt::format("{}{} P1 {:.3g}, Q1 {:.3g} s", numbers.empty() ? "" : "; ", words(shape), p, q);
+  }
+  return {holds, numbers};
+}
+
+Finding convex_top_sinks_by_q(const ReadingOutcomes& all) {
+  const Outcome& convex = all.of(Shape::convex_corner);
+  const double q = convex.at("Q1: failed after [s]"), p = convex.at("P1: failed after [s]"),
+               foot = convex.at("P2: advance [m]"), sinks = convex.at("P1: settlement [m]");
+  return {if_measured({foot, sinks}, q < p && foot < sinks),
+          fmt::format(
+              "Q1 fails after {:.3g} s, P1 after {:.3g} s; P1 sinks {:.3g} m, P2 advances {:.3g} m",
+              q, p, sinks, foot)};
+}
+
+Finding cracks_at_corner_toe(const ReadingOutcomes& all) {
+  const Outcome& convex = all.of(Shape::convex_corner);
+  const Pair density{convex.at("section P: lowest density above the toe [-]"),
+                     convex.at("section Q: lowest density above the toe [-]")};
+  return density.finding(density.p < density.q, "of the initial density");
+}
+
+Finding zone_shape(const ReadingOutcomes& all, Shape shape, bool triangle) {
+  // Of the rectangle that holds it a triangle takes 1/2, a circle's segment 2/3, a rectangle 1.
+  const double share = all.of(shape).at("section P: plastic zone over its rectangle [-]");
+  return {if_measured({share}, triangle ? share < 7.0 / 12.0 : share > 2.0 / 3.0),
+          fmt::format("{:.3g} of the rectangle", share)};
+}
+
+Finding concave_triangle(const ReadingOutcomes& all) {
+  return zone_shape(all, Shape::concave_corner, true);
+}
+
+Finding convex_quadrilateral(const ReadingOutcomes& all) {
+  return zone_shape(all, Shape::convex_corner, false);
+}
+
+Finding plastic_by_lateral_slides(const ReadingOutcomes& all) {
+  const Outcome& concave = all.of(Shape::concave_corner);
+  const Pair area{concave.at("section P: plastic area [m2]"),
+                  concave.at("section Q: plastic area [m2]")};
+  return area.finding(area.p < area.q, "m2");
+}
+
+struct Row {
+  const char *section, *quote, *measure;
+  Finding (*find)(const ReadingOutcomes&);
+};
+
+constexpr const char* across_the_diagonal =
+    "slip surface across the diagonal at mid-face: half a height to either side against the corner";
+
+constexpr std::array rows = std::to_array<Row>({
+    {case_2, "concave: the slip surface is like a rising wing", across_the_diagonal, concave_wing},
+    {case_2, "convex: the sliding surface is like the downbeat of a wing", across_the_diagonal,
+     convex_wing},
+    {case_2, "with a symmetrical shape",
+     "slide volume on the two sides of the diagonal: within 2 %", symmetrical},
+    {case_2,
+     "concave: the displacement at the centre section is smaller than at the lateral section",
+     "P1 and P2 against Q1 and Q2", centre_moves_less<Shape::concave_corner>},
+    {case_2,
+     "convex: the displacement at the centre section is smaller than at the lateral section",
+     "P1 and P2 against Q1 and Q2", centre_moves_less<Shape::convex_corner>},
+    {case_2, "the slope angle at the centre is smaller, which makes it more stable",
+     "settlement of the crest in the plane counterparts", flatter_is_more_stable},
+    {case_2, "the slope at the centre suffers less constraint of the lateral zones",
+     "convex, settled: mean normal stress on the sections, soil above the toe",
+     centre_less_constrained},
+    {case_2, "the peak P1 of the concave subbase is almost immobile",
+     "settlement of P1 below a tenth of the 2D case of section P", concave_top_immobile},
+    {case_2, "P1 of the convex subbase falls in between the 2D cases for sections P and Q",
+     "settlement of P1", convex_top_between},
+    {case_2, "P2 for concave and convex is small and far below the 2D case in section P",
+     "advance of P2 below half of it", toes_far_below},
+    {case_2, "the 2D case in cross-section Q is higher than that in section P",
+     "advance of the toe", plane_q_higher},
+    {case_2, "Q1 of the concave subbase falls between the 2D cases for sections P and Q",
+     "settlement of Q1", concave_q1_between},
+    {case_2, "as does the horizontal displacement at Q2", "advance of Q2", concave_q2_between},
+    {case_2, "convex: Q1 is smaller than the 2D case in section P", "settlement of Q1",
+     convex_q1_below},
+    {case_2, "convex: Q2 is smaller than the 2D case in section P", "advance of Q2",
+     convex_q2_below},
+    {case_2, "the foot of the slope at the corner is relatively safe",
+     "P2 against Q2, both corners", corner_toe_safe},
+    {conclusions, "instability is more likely to occur at the top corner of the convex subbase",
+     "convex: settlement of P1 above that of Q1 and the advance of P2", convex_top_unstable},
+    {conclusions, "and at the side slope of the concave subbase",
+     "concave: Q1 and Q2 above P1 and P2", concave_side_unstable},
+    {case_2, "concave: the normal stresses help section P to remain steady; convex: the opposite",
+     "settled: mean normal stress on section P against the 2D case of P", stresses_hold_concave},
+    {case_2, "the Q plane will always fail first",
+     "time until Q1 and P1 have moved 1 % of the height", q_fails_first},
+    {case_2, "convex: failure of Q causes sinking of the top of P and prevents its further failure",
+     "Q1 fails before P1, and P1 settles more than P2 advances", convex_top_sinks_by_q},
+    {case_2, "it also causes cracks around the toe of the P plane",
+     "convex: density on the lower half of the face, 5 % quantile, section P below Q",
+     cracks_at_corner_toe},
+    {case_2, "the plastic area of the concave subbase in section P is triangular",
+     "convex hull of the plastic zone over its rectangle along the face: below 7/12",
+     concave_triangle},
+    {case_2, "where the slide body is mainly composed of the lateral slide materials",
+     "concave: plastic area of section P below that of Q", plastic_by_lateral_slides},
+    {case_2, "whereas it is quadrilateral for the convex subbase", "the same: above 2/3",
+     convex_quadrilateral},
+});
+
+}  // namespace
+
+void judge_corner_claims(CaseRun& run, const std::vector<ReadingOutcomes>& readings) {
+  for (const Row& row : rows) {
+    std::vector<NamedFinding> findings;
+    for (const ReadingOutcomes& reading : readings) {
+      findings.push_back({reading.reading, row.find(reading)});
+    }
+    run.add(judge_claim(row.section, row.quote, row.measure, findings));
+  }
+}
+
+}  // namespace scarp::validation

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Case 2: slopes that turn a concave and a convex corner, and the plane counterparts of their
+/// sections.
+
+#include "validation/case_list.hpp"
+#include "validation/cases/slope_corner/corner_claims.hpp"
+#include "validation/paper/slope_judgement.hpp"
+
+namespace scarp::validation {
+namespace {
+
+const std::vector<SlopeShape> shapes{SlopeShape::concave_corner, SlopeShape::convex_corner,
+                                     SlopeShape::plane_35, SlopeShape::plane_45};
+
+}  // namespace
+
+std::vector<PlannedRun> slope_corner_runs(const CaseRun& run) { return planned_runs(run, shapes); }
+
+void slope_corner(CaseRun& run) {
+  const std::vector<ReadingOutcomes> readings = run_readings(run, shapes);
+  judge_slopes(run, readings);
+  judge_corner_claims(run, readings);
+  run.finish(nullptr);
+}
+
+}  // namespace scarp::validation

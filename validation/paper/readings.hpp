@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What the paper leaves open, and the runs that show which of its statements depend on it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "kernels/constitutive/drucker_prager.hpp"
+#include "validation/paper/set_forecast.hpp"
+#include "validation/paper/slope_measures.hpp"
+#include "validation/paper/study_run.hpp"
+
+namespace scarp::validation {
+
+/// One choice of everything that is open.
+struct Reading {
+  std::string name;
+  kernels::Cone cone = kernels::Cone::outer;        ///< of the 3D slopes
+  kernels::Cone plane_cone = kernels::Cone::outer;  ///< of the plane counterparts
+  std::string preset;                               ///< empty: the scene's
+  SlopeSize size;
+  double spacing = 0.0;  ///< [m]
+};
+
+/// Outcomes of all shapes under one reading.
+struct ReadingOutcomes {
+  std::string reading;
+  std::map<SlopeShape, Outcome> outcomes;
+  const Outcome& of(SlopeShape shape) const { return outcomes.at(shape); }
+};
+
+/// The first is the one the others are held against. Short and main form: the paper's own pair of
+/// cones besides; full: the plane strain cone throughout, the other preset, another height, and a
+/// finer spacing.
+std::vector<Reading> readings(const CaseRun& run);
+
+/// The runs still to come, each once however many readings need it.
+std::vector<PlannedRun> planned_runs(const CaseRun& run, const std::vector<SlopeShape>& shapes);
+
+/// Runs them all. Errors: SceneError, FileError.
+std::vector<ReadingOutcomes> run_readings(CaseRun& run, const std::vector<SlopeShape>& shapes);
+
+}  // namespace scarp::validation

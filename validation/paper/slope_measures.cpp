@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Sections, slide body and stress of a slope from its particles.
+
+#include "validation/paper/slope_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "validation/deposit.hpp"
+#include "validation/paper/plane_zone.hpp"
+
+namespace scarp::validation {
+namespace {
+
+using std::numbers::sqrt2;
+
+/// A particle in the coordinates of Fig. 4: x and y in plan, z up; in the plane y is 0.
+struct Grain {
+  Vec3 start{}, now{};  ///< settled and present place [m]
+  double moved = 0.0;   ///< displacement since the strength was cut [m]
+  double strain = 0.0;
+  double density = 0.0;
+  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0;  ///< stress, tension positive [Pa]
+};
+
+std::vector<Grain> grains_of(const Simulation& simulation) {
+  const std::vector<double> position = simulation.field("position"),
+                            displacement = simulation.field("displacement"),
+                            strain = simulation.field("accumulated_plastic_strain"),
+                            density = simulation.field("density"),
+                            stress = simulation.field("stress");
+  const bool plane = simulation.scene().dimension == 2;
+  std::vector<Grain> grains(strain.size());
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    const double *p = &position[3 * i], *u = &displacement[3 * i], *s = &stress[6 * i];
+    Grain& grain = grains[i];
+    grain.now = plane ? Vec3{p[0], 0.0, p[1]} : Vec3{p[0], p[1], p[2]};
+    grain.start =
+        plane ? Vec3{p[0] - u[0], 0.0, p[1] - u[1]} : Vec3{p[0] - u[0], p[1] - u[1], p[2] - u[2]};
+    grain.moved = std::hypot(u[0], u[1], u[2]);
+    grain.strain = strain[i];
+    grain.density = density[i];
+    grain.xx = s[0];
+    grain.yy = plane ? s[2] : s[1];
+    grain.zz = plane ? s[1] : s[2];
+    grain.xy = plane ? 0.0 : s[3];
+  }
+  return grains;
+}
+
+/// A vertical cut through the undeformed slope, one layer of particles thick.
+struct Section {
+  std::string name;
+  bool diagonal = false;
+  double y = 0.0;    ///< of a cut along x; its layer is the one above
+  bool all = false;  ///< plane strain: everything
+
+  bool holds(const Grain& grain, double spacing) const {
+    if (all) return true;
+    if (diagonal) return std::fabs(grain.start[0] - grain.start[1]) < 0.5 * spacing;
+    return std::fabs(grain.start[1] - (y + 0.5 * spacing)) < 0.5 * spacing;
+  }
+  double along(const Vec3& place) const {
+    return diagonal ? (place[0] + place[1]) / sqrt2 : place[0];
+  }
+  double stress_along(const Grain& g) const { return diagonal ? 0.5 * (g.xx + g.yy) + g.xy : g.xx; }
+  double stress_across(const Grain& g) const {
+    return diagonal ? 0.5 * (g.xx + g.yy) - g.xy : g.yy;
+  }
+};
+
+std::vector<Section> sections_of(const Slope3d& slope) {
+  if (slope.plane()) return {{"section", false, 0.0, true}};
+  if (!slope.corner()) return {{"section M"}};
+  return {{"section P", true}, {"section Q", false, slope.lateral_section()}};
+}
+
+/// Above the toe, from half a height behind the crest to the toe.
+bool at_risk(const Grain& grain, const Slope3d& slope) {
+  const double d = slope.distance(grain.start[0], grain.start[1]);
+  const SlopeSize& size = slope.size();
+  return grain.start[2] > size.foundation && d > size.crest - 0.5 * size.height &&
+         d < size.crest + slope.face_run();
+}
+
+double mean(const std::vector<Grain>& grains, const std::function<bool(const Grain&)>& counts,
+            const std::function<double(const Grain&)>& value) {
+  double sum = 0.0, number = 0.0;
+  for (const Grain& grain : grains) {
+    if (!counts(grain)) continue;
+    sum += value(grain);
+    number += 1.0;
+  }
+  return sum / number;
+}
+
+/// Horizontal stress in the direction in which the face falls.
+double downhill_stress(const Grain& g, const Slope3d& slope) {
+  const bool concave = slope.shape() == SlopeShape::concave;
+  const double away = concave ? slope.length() - g.start[0] : g.start[0];
+  const double r = std::hypot(away, g.start[1]);
+  if (slope.shape() == SlopeShape::straight || !(r > 0.0)) return g.xx;
+  const double x = away / r, y = (concave ? -1.0 : 1.0) * g.start[1] / r;
+  return x * x * g.xx + y * y * g.yy + 2.0 * x * y * g.xy;
+}
+
+void measure_stress(const std::vector<Grain>& grains, const Slope3d& slope, double spacing,
+                    const std::string& moment, Outcome& outcome) {
+  for (const Section& section : sections_of(slope)) {
+    const auto in = [&](const Grain& g) { return section.holds(g, spacing) && at_risk(g, slope); };
+    const auto put = [&](const char* what, const std::function<double(const Grain&)>& value) {
+      outcome.values[fmt::format("{}: {}, {} [Pa]", section.name, what, moment)] =
+          -mean(grains, in, value);
+    };
+    put("across", [&](const Grain& g) { return section.stress_across(g); });
+    put("along", [&](const Grain& g) { return section.stress_along(g); });
+    put("vertical", [](const Grain& g) { return g.zz; });
+  }
+  if (slope.plane() || slope.corner()) return;
+  const double width = slope.size().half_width;
+  const auto side = [&](const Grain& g) { return g.start[1] > width / 1.5 && at_risk(g, slope); };
+  outcome.values[fmt::format("side: downhill, {} [Pa]", moment)] =
+      -mean(grains, side, [&](const Grain& g) { return downhill_stress(g, slope); });
+}
+
+/// How far the foot of the soil above the toe has come in the section [m].
+double front_advance(const std::vector<Grain>& grains, const Section& section, double foundation,
+                     double spacing) {
+  double before = 0.0, now = 0.0;
+  for (const Grain& grain : grains) {
+    if (!section.holds(grain, spacing)) continue;
+    if (grain.start[2] > foundation) before = std::max(before, section.along(grain.start));
+    if (grain.now[2] > foundation) now = std::max(now, section.along(grain.now));
+  }
+  return now - before;
+}
+
+bool slides(const Grain& grain, const Slope3d& slope) {
+  return grain.moved > slide_share * slope.size().height;
+}
+
+/// Slide and plastic zone of one section, in the undeformed slope.
+void measure_section(const std::vector<Grain>& grains, const Slope3d& slope, const Section& section,
+                     double spacing, Outcome& outcome) {
+  const double area = spacing * (section.diagonal ? sqrt2 * spacing : spacing);
+  const double run = section.diagonal ? sqrt2 * slope.face_run() : slope.face_run();
+  const double length = std::hypot(run, slope.size().height);
+  const double down = run / length, drop = slope.size().height / length;
+  PlaneZone slide, plastic;  // coordinates: down the face, into the slope
+  for (const Grain& grain : grains) {
+    if (!section.holds(grain, spacing)) continue;
+    const double s = section.along(grain.start), z = grain.start[2];
+    const std::array<double, 2> place{down * s - drop * z, -drop * s - down * z};
+    if (slides(grain, slope)) slide.add(place, area);
+    if (grain.strain > plastic_strain) plastic.add(place, area);
+  }
+  const auto put = [&](const char* what, double value) {
+    outcome.values[fmt::format("{}: {}", section.name, what)] = value;
+  };
+  put("front: advance [m]", front_advance(grains, section, slope.size().foundation, spacing));
+  put("slide area [m2]", slide.area());
+  put("plastic area [m2]", plastic.area());
+  put("plastic thickness [m]", plastic.area() / (plastic.extent(0) + spacing));
+  put("plastic zone over its rectangle [-]", plastic.hull_share());
+}
+
+/// Vertical depth of the slide below the face at a place in plan [m]; 0 where nothing slides.
+double slide_depth(const std::vector<Grain>& grains, const Slope3d& slope, double spacing, double x,
+                   double y) {
+  const double surface = slope.surface(slope.distance(x, y));
+  double lowest = surface;
+  for (const Grain& grain : grains) {
+    if (slides(grain, slope) && std::fabs(grain.start[0] - x) < 0.75 * spacing &&
+        std::fabs(grain.start[1] - y) < 0.75 * spacing) {
+      lowest = std::min(lowest, grain.start[2] - 0.5 * spacing);
+    }
+  }
+  return surface - lowest;
+}
+
+/// x at which the middle of the face of a case 1 slope passes y.
+double middle_of_face(const Slope3d& slope, double y) {
+  const double d = slope.size().crest + 0.5 * slope.face_run();
+  if (slope.shape() == SlopeShape::straight) return d;
+  const double r = slope.shape() == SlopeShape::convex ? d : slope.length() - d;
+  const double x = std::sqrt(std::max(r * r - y * y, 0.0));
+  return slope.shape() == SlopeShape::convex ? x : slope.length() - x;
+}
+
+void measure_surface(const std::vector<Grain>& grains, const Slope3d& slope, double spacing,
+                     Outcome& outcome) {
+  const auto depth = [&](double x, double y) { return slide_depth(grains, slope, spacing, x, y); };
+  if (slope.corner()) {
+    // Across the diagonal through the middle of the face: where the slip surface lies at the corner
+    // and half a height to either side.
+    const double c = slope.size().crest + 0.5 * slope.face_run();
+    const double t = 0.5 * slope.size().height / sqrt2;
+    const auto base = [&](double x, double y) {
+      return slope.surface(slope.distance(x, y)) - depth(x, y);
+    };
+    outcome.values["slip surface, either side above the corner [m]"] =
+        0.5 * (base(c + t, c - t) + base(c - t, c + t)) - base(c, c);
+    outcome.values["slide depth at P [m]"] = depth(c, c);
+    outcome.values["slide depth at Q [m]"] = depth(c, slope.lateral_section() + 0.5 * spacing);
+    return;
+  }
+  const double width = slope.size().half_width;
+  for (const auto& [name, y] : {std::pair{"M", 0.5 * spacing}, {"side", width - spacing}}) {
+    outcome.values[fmt::format("slide depth at {} [m]", name)] = depth(middle_of_face(slope, y), y);
+  }
+}
+
+double volume_of_slide(const std::vector<Grain>& grains, const Slope3d& slope, double spacing,
+                       const std::function<bool(const Grain&)>& counts) {
+  double number = 0.0;
+  for (const Grain& grain : grains) number += slides(grain, slope) && counts(grain);
+  return number * std::pow(spacing, 3);
+}
+
+void measure_probes(const Simulation& fallen, Outcome& outcome) {
+  const bool plane = fallen.scene().dimension == 2;
+  for (std::size_t k = 0; k < fallen.scene().probes.size(); ++k) {
+    const ProbeSample sample = fallen.probe(k);
+    const Vec3& u = sample.displacement;
+    outcome.values[sample.probe + ": settlement [m]"] = plane ? -u[1] : -u[2];
+    outcome.values[sample.probe + ": advance [m]"] = plane ? u[0] : std::hypot(u[0], u[1]);
+  }
+}
+
+/// Cracks would show as loose soil; uphill of the toe, over half the height of the slope.
+double lowest_density_above_toe(const std::vector<Grain>& grains, const Slope3d& slope,
+                                const Section& section, double spacing, double reference) {
+  const double scale = section.diagonal ? sqrt2 : 1.0;
+  const double toe = scale * (slope.size().crest + slope.face_run());
+  std::vector<double> density;
+  for (const Grain& grain : grains) {
+    const double s = section.along(grain.start);
+    if (section.holds(grain, spacing) && s < toe && s > toe - 0.5 * scale * slope.face_run() &&
+        grain.start[2] > slope.size().foundation) {
+      density.push_back(grain.density / reference);
+    }
+  }
+  return quantile(density, 0.05);
+}
+
+}  // namespace
+
+void measure_settled(const Simulation& settled, const Slope3d& slope, Outcome& outcome) {
+  measure_stress(grains_of(settled), slope, settled.scene().spacing, "settled", outcome);
+  outcome.values["residual velocity, settled [m/s]"] = settled.last_step().max_velocity;
+}
+
+void watch_probes(const Simulation& now, const Slope3d& slope, Outcome& outcome) {
+  for (std::size_t k = 0; k < now.scene().probes.size(); ++k) {
+    const std::string name = now.scene().probes[k].name + ": failed after [s]";
+    if (outcome.values.count(name) != 0) continue;
+    const Vec3 u = now.probe(k).displacement;
+    if (std::hypot(u[0], u[1], u[2]) > failure_share * slope.size().height) {
+      outcome.values[name] = now.last_step().stage_time;
+    }
+  }
+}
+
+void measure_slide(const Simulation& fallen, const Slope3d& slope, Outcome& outcome) {
+  const std::vector<Grain> grains = grains_of(fallen);
+  const double spacing = fallen.scene().spacing;
+  measure_probes(fallen, outcome);
+  measure_stress(grains, slope, spacing, "at the end", outcome);
+  for (const Section& section : sections_of(slope)) {
+    measure_section(grains, slope, section, spacing, outcome);
+    if (!slope.plane()) {
+      outcome.values[section.name + ": lowest density above the toe [-]"] =
+          lowest_density_above_toe(grains, slope, section, spacing,
+                                   fallen.scene().materials.front().density);
+    }
+  }
+  std::vector<double> moved;
+  double inside = 0.0;
+  for (const Grain& grain : grains) {
+    moved.push_back(grain.moved);
+    inside += grain.now[0] > 0.0 && grain.now[0] < slope.length() && grain.now[2] > 0.0 &&
+              (slope.plane() || (grain.now[1] > 0.0 && grain.now[1] < slope.width()));
+  }
+  outcome.values["largest displacement, 99.9 % [m]"] = quantile(moved, 0.999);
+  outcome.values["mass inside over mass before [-]"] = inside / static_cast<double>(grains.size());
+  outcome.values["end of the slide [s]"] = fallen.last_step().stage_time;
+  outcome.values["at rest [-]"] = fallen.stage_reached_rest();
+  outcome.values["residual velocity [m/s]"] = fallen.last_step().max_velocity;
+  outcome.values["particles [-]"] = static_cast<double>(grains.size());
+  if (slope.plane()) return;
+  measure_surface(grains, slope, spacing, outcome);
+  const double halves = slope.corner() ? 1.0 : 2.0;  // case 1 is run on one side of section M
+  outcome.values["slide volume [m3]"] =
+      halves * volume_of_slide(grains, slope, spacing, [](const Grain&) { return true; });
+  if (slope.corner()) {
+    const auto side = [&](std::size_t far, std::size_t near) {
+      return volume_of_slide(grains, slope, spacing, [far, near, spacing](const Grain& g) {
+        return g.start[far] > g.start[near] + 0.5 * spacing;
+      });
+    };
+    const double x_side = side(0, 1), y_side = side(1, 0);
+    outcome.values["slide volume, difference of the sides over both [-]"] =
+        std::fabs(x_side - y_side) / (x_side + y_side);
+  }
+}
+
+}  // namespace scarp::validation

@@ -5,6 +5,7 @@ import datetime
 import json
 import pathlib
 
+import claims_table
 import error_time_page
 import scarp_report as scarp
 
@@ -110,6 +111,10 @@ def overview(folder):
     verdict_table(page, runs)
     page.section("What lies outside its band")
     failing(page, runs)
+    claims = [dict(claim, case=one.name) for one, _, results in runs for claim in results.get("claims", [])]
+    if claims:
+        page.section("What the paper says, measured")
+        claims_table.draw(page, claims)
     pictures = [(one / "figures" / "main.png", _link(one), f"{one.name}: {entry['sentence']}")
                 for one, entry, _ in runs if (one / "figures" / "main.png").exists()]
     if pictures:

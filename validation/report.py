@@ -13,6 +13,7 @@ for _place in (_here.parent / "engine" / "report", _here.parent / "report",  # i
     if _place.exists():
         sys.path.insert(0, str(_place))
 import scarp_report as scarp  # noqa: E402
+import claims_table  # noqa: E402
 import error_time_page  # noqa: E402
 import numpy as np  # noqa: E402
 import overview  # noqa: E402
@@ -70,6 +71,9 @@ def report(folder):
                       f"preset {results.get('preset', '?')}")
     page.text(scarp.badge(scarp.verdict_of(results)))
     scarp.verdict_section(page, results)
+    if results.get("claims"):
+        page.section("What the paper says of it")
+        claims_table.draw(page, results["claims"])
     draw = case_figures(results.get("case", folder.name))
     if draw:
         draw(page, folder, figures)

@@ -172,9 +172,6 @@ def verdict_section(page, results):
         page.text("There is no results.json: the run was killed or is still going on.", problem=True)
     if results.get("measures"):
         page.verdicts(results["measures"])
-    for claim in results.get("claims", []):
-        page.text(Raw("<b>%s</b> %s" % tuple(map(_escaped, (claim.get("claim", ""), claim.get("section", ""))))))
-        page.table(["", ""], [[key, str(value)] for key, value in claim.items() if key != "claim"])
 
 
 def _escaped(text):

@@ -23,7 +23,7 @@ std::optional<Outcome> read_outcome(const std::filesystem::path& folder) {
   std::ifstream stream(file_in(folder));
   try {
     const Json json = Json::parse(stream);
-    Outcome outcome{json.at("name"), json.at("key"), json.at("complete"), {}};
+    Outcome outcome{json.at("name"), json.at("folder"), json.at("key"), json.at("complete"), {}};
     for (const auto& [name, value] : json.at("values").items()) {
       outcome.values[name] = value.is_null() ? std::nan("") : value.get<double>();
     }
@@ -34,11 +34,8 @@ std::optional<Outcome> read_outcome(const std::filesystem::path& folder) {
 }
 
 void write_outcome(const std::filesystem::path& folder, const Outcome& outcome) {
-  Json json{{"format", "scarp outcome"},
-            {"version", 1},
-            {"name", outcome.name},
-            {"key", outcome.key},
-            {"complete", outcome.complete}};
+  Json json{{"format", "scarp outcome"}, {"version", 1},       {"name", outcome.name},
+            {"folder", outcome.folder},  {"key", outcome.key}, {"complete", outcome.complete}};
   json["values"] = outcome.values;
   replace_file(file_in(folder), json.dump(2) + "\n");
 }

@@ -12,6 +12,7 @@ namespace scarp::validation {
 
 struct Outcome {
   std::string name;                      ///< of the run, in words
+  std::string folder;                    ///< below the case's
   std::string key;                       ///< of everything that decides it; see `outcome_key`
   bool complete = false;                 ///< the run has reached its end
   std::map<std::string, double> values;  ///< by name with unit, SI

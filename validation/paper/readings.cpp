@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "engine/cli/progress.hpp"
+#include "engine/output/text_file.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -35,8 +37,30 @@ StudyRun study_run(const CaseRun& run, const Reading& reading, SlopeShape shape)
                            cone == Cone::outer ? "outer" : "plane strain", scene.numerics.preset,
                            reading.size.height, reading.spacing);
   study.folder = file_name(study.name);
+  scene.file.clear();  // it is no longer what the file says
   study.scene = std::move(scene);
   return study;
+}
+
+/// readings.json, which tells the figures whose runs lie in which folder.
+void write_readings(const CaseRun& run, const std::vector<ReadingOutcomes>& all) {
+  using Json = nlohmann::ordered_json;
+  Json json{{"format", "scarp readings"}, {"version", 1}};
+  json["slide_share"] = slide_share;
+  json["readings"] = Json::array();
+  const std::vector<Reading> list = readings(run);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Json one{{"name", all[k].reading},
+             {"spacing", list[k].spacing},
+             {"height", list[k].size.height},
+             {"foundation", list[k].size.foundation},
+             {"crest", list[k].size.crest}};
+    for (const auto& [shape, outcome] : all[k].outcomes) {
+      one["runs"][words(shape)] = outcome.folder;
+    }
+    json["readings"].push_back(std::move(one));
+  }
+  replace_file(run.folder() / "readings.json", json.dump(2) + "\n");
 }
 
 Observer observer_of(const Slope3d& slope) {
@@ -107,6 +131,7 @@ std::vector<ReadingOutcomes> run_readings(CaseRun& run, const std::vector<SlopeS
     }
     all.push_back(std::move(one));
   }
+  write_readings(run, all);
   return all;
 }
 

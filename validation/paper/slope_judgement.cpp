@@ -68,6 +68,9 @@ void judge_slopes(CaseRun& run, const std::vector<ReadingOutcomes>& readings) {
   const Worst speed = farthest(runs, "residual velocity, settled [m/s]", 0.0);
   run.add(within("residual velocity after settling, worst run", speed.value, "m/s", 0.0, 0.0, 1e-3,
                  "the scene's own rest velocity; " + speed.of));
+  const Worst moving = farthest(runs, "fastest probe at the end [m/s]", 0.0);
+  run.add(within("speed of the fastest probe at the end, worst run", moving.value, "m/s", 0.0, 0.0,
+                 0.02, "the slide has ended: 2 % of the 1 m/s it had; " + moving.of));
   constexpr const char* sides = "slide volume, difference of the sides over both [-]";
   if (const Worst lopsided = farthest(runs, sides, 0.0); !std::isnan(lopsided.value)) {
     run.add(within("slide on the two sides of the diagonal, difference over both, worst run",

@@ -163,6 +163,10 @@ void measure_section(const std::vector<Grain>& grains, const Slope3d& slope, con
     outcome.values[fmt::format("{}: {}", section.name, what)] = value;
   };
   put("front: advance [m]", front_advance(grains, section, slope.size().foundation, spacing));
+  put("mean displacement of the soil above the toe [m]",
+      mean(
+          grains, [&](const Grain& g) { return section.holds(g, spacing) && at_risk(g, slope); },
+          [](const Grain& g) { return g.moved; }));
   put("slide area [m2]", slide.area());
   put("plastic area [m2]", plastic.area());
   put("plastic thickness [m]", plastic.area() / (plastic.extent(0) + spacing));
@@ -224,12 +228,15 @@ double volume_of_slide(const std::vector<Grain>& grains, const Slope3d& slope, d
 
 void measure_probes(const Simulation& fallen, Outcome& outcome) {
   const bool plane = fallen.scene().dimension == 2;
+  double fastest = 0.0;
   for (std::size_t k = 0; k < fallen.scene().probes.size(); ++k) {
     const ProbeSample sample = fallen.probe(k);
-    const Vec3& u = sample.displacement;
+    const Vec3 &u = sample.displacement, &v = sample.velocity;
+    fastest = std::max(fastest, std::hypot(v[0], v[1], v[2]));
     outcome.values[sample.probe + ": settlement [m]"] = plane ? -u[1] : -u[2];
     outcome.values[sample.probe + ": advance [m]"] = plane ? u[0] : std::hypot(u[0], u[1]);
   }
+  outcome.values["fastest probe at the end [m/s]"] = fastest;
 }
 
 /// Cracks would show as loose soil; uphill of the toe, over half the height of the slope.

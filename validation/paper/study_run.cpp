@@ -92,7 +92,7 @@ bool is_finished(const CaseRun& run, const StudyRun& study) {
 Outcome outcome_of(CaseRun& run, const StudyRun& study, const Observer& observer) {
   const fs::path folder = run.folder() / study.folder;
   const FolderLock lock(folder);
-  Outcome outcome{study.name, outcome_key(study.scene), false, {}};
+  Outcome outcome{study.name, study.folder, outcome_key(study.scene), false, {}};
   const std::optional<Outcome> left = run.options().resume ? read_outcome(folder) : std::nullopt;
   const bool same = left && left->key == outcome.key;
   if (same) outcome = *left;

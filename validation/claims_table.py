@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The paper's statements as a table: quote, measure, numbers, verdict, what the verdict depends on."""
+
+import scarp_report as scarp
+
+BADGES = {"confirmed": True, "not confirmed": False}
+ORDER = ("confirmed", "sensitive", "not confirmed", "not measured")
+
+
+def draw(page, claims):
+    """One line for each claim of results.json; the column of cases only where the claims name theirs."""
+    counts = ", ".join(f"{sum(claim['verdict'] == verdict for claim in claims)} {verdict}" for verdict in ORDER)
+    page.text(f"{len(claims)} statements: {counts}. “Sensitive” means that runs which differ only in what the paper "
+              "leaves open (the cone of the plane runs or of all, preset, height, spacing) disagree. Numbers and "
+              "verdict of the first reading: the same outer cone in 3D and 2D, unless the last column says otherwise.")
+    with_case = any("case" in claim for claim in claims)
+    rows = []
+    for number, claim in enumerate(claims, 1):
+        badge = scarp.badge(BADGES.get(claim["verdict"]), claim["verdict"])
+        rows.append([number] + ([claim.get("case", "")] if with_case else []) +
+                    [claim["section"], claim["quote"], claim["measure"], claim["numbers"], badge, claim["sensitivity"]])
+    page.table(["", *(["case"] if with_case else []), "section", "the paper", "measure", "numbers", "verdict",
+                "other readings"], rows)

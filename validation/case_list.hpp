@@ -53,6 +53,7 @@ extern const ErrorProblem aluminium_bars_problem;
 
 /// The runs of a case that are still to come, for the forecast of a set.
 using RunsFunction = std::vector<PlannedRun> (*)(const CaseRun&);
+std::vector<PlannedRun> slope_2d_runs(const CaseRun& run);
 std::vector<PlannedRun> cuboid_3d_runs(const CaseRun& run);
 std::vector<PlannedRun> slope_curvature_runs(const CaseRun& run);
 std::vector<PlannedRun> slope_corner_runs(const CaseRun& run);
@@ -68,7 +69,7 @@ struct CaseRow {
 
 inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"slope_2d", "paper", "Cohesive slope in plane strain, strength cut by 1.4 (sample 1).",
-     slope_2d, &slope_2d_problem},
+     slope_2d, &slope_2d_problem, slope_2d_runs},
     {"cuboid_3d", "paper", "Collapse of a granular cuboid behind a gate (sample 2).", cuboid_3d,
      nullptr, cuboid_3d_runs},
     {"slope_curvature", "paper", "Concave, straight and convex slopes in 3D (case 1).",

@@ -7,6 +7,7 @@ import numpy as np
 import scarp_report as scarp
 
 plt = scarp.plt
+ZOOM = 1.2  # 3D axes leave wide margins
 STYLES = {"concave": ("#0072b2", "-"), "straight": ("#009e73", "-"), "convex": ("#d55e00", "-"),
           "2D": ("#000000", "--"), "2D by Eq. 11": ("#777777", ":")}
 
@@ -89,10 +90,12 @@ def views(page, rows, file, caption):
             scarp.draw_particles_3d(ax, frame, field, limits[field], bar=False, view=view,
                                     title=f"({chr(97 + r * wide + c)}) {title}: {words}")
             ax.tick_params(labelsize=7, pad=-2)
+            ax.set_box_aspect(np.maximum(np.ptp(frame["position"], axis=0), frame["spacing"]), zoom=ZOOM)
+            ax.collections[-1].set_sizes(ax.collections[-1].get_sizes() * ZOOM**2)
             last.setdefault(field, (frame, ax.collections[-1]))
     for field, (frame, mappable) in sorted(last.items()):
         figure.colorbar(mappable, ax=figure.axes[:wide * len(rows)], location="bottom", shrink=0.4, aspect=40, pad=0.02,
-                        label=scarp.label_of(field, frame["units"].get(field, "")))
+                        label=scarp.label_of(field, "m" if field in "xyz" else frame["units"].get(field, "")))
     page.figure(figure, caption, file)
 
 
@@ -104,6 +107,8 @@ def sections(page, panels, columns, file, caption):
     for ax, (title, frame, initial) in zip(axes.flat, panels):
         discs = scarp.draw_particles_2d(ax, frame, "accumulated_plastic_strain", limits, initial=initial, bar=False,
                                         title=title)
+        ax.set_xlabel("along the section [m]")
+        ax.set_ylabel("elevation [m]")
     for ax in list(axes.flat)[len(panels):]:
         ax.axis("off")
     figure.colorbar(discs, ax=axes, location="bottom", shrink=0.5, aspect=40, label="accumulated plastic strain [-]")

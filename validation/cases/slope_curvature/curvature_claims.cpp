@@ -15,6 +15,7 @@ namespace {
 using Shape = SlopeShape;
 
 constexpr const char* case_1 = "Case 1";
+constexpr const char* conclusions_b = "Conclusions (b)";
 constexpr double much = 1.5;     ///< "significantly larger", "very different", "much thinner"
 constexpr double similar = 0.2;  ///< "more or less similar": spread over the largest
 
@@ -211,18 +212,19 @@ constexpr std::array rows = std::to_array<Row>({
      top_against_plane<Shape::convex, 1>},
     {case_1, "convex: the translation at M2 is greater than for the 2D case", "M2, at the end",
      toe_against_plane<Shape::convex, 1>},
-    {case_1, "convex: the same of the slope toe", front, front_against_plane<Shape::convex, 1>},
+    {conclusions_b, "convex: the translational distance of the slope toe is greater than for 2D",
+     front, front_against_plane<Shape::convex, 1>},
     {case_1, "the opposite occurs for the concave slope: M1", "M1, at the end",
      top_against_plane<Shape::concave, -1>},
     {case_1, "the opposite occurs for the concave slope: M2", "M2, at the end",
      toe_against_plane<Shape::concave, -1>},
-    {case_1, "the opposite for the concave slope: the same of the slope toe", front,
+    {conclusions_b, "the opposite occurs for the concave slope: its toe", front,
      front_against_plane<Shape::concave, -1>},
     {case_1, "straight: the settlement at M1 is less than for the 2D case", "M1, at the end",
      top_against_plane<Shape::straight, -1>},
     {case_1, "straight: the translation at M2 is less than for the 2D case", "M2, at the end",
      toe_against_plane<Shape::straight, -1>},
-    {case_1, "straight: the same of the slope toe", front,
+    {conclusions_b, "and for the common slope: its toe", front,
      front_against_plane<Shape::straight, -1>},
     {case_1, "the planar stresses in the M plane should be more or less similar",
      "settled, means over the soil above the toe: within 20 %", planar_stress_similar},
@@ -241,12 +243,12 @@ constexpr std::array rows = std::to_array<Row>({
      "plastic area of section M", shear_zone_larger},
     {case_1, "the more the slope bulges, the farther the settlement of the top", "M1, at the end",
      bulges_top},
-    {case_1, "... and the translation of the slope toe", "M2, at the end", bulges_toe},
-    {case_1, "... and the translation of the slope toe", front, bulges_front},
+    {case_1, "... and the translational distance of the slope toe", "M2, at the end", bulges_toe},
+    {case_1, "... and how far the slope toe migrates", front, bulges_front},
     {"Conclusions (a)",
      "2D results are different from 3D, and the difference is related to the surface",
      "settlement of M1 off the plane's by more than 10 % for each", differs_from_plane},
-    {"Conclusions (b)", "these are all related to lateral stress magnitude at the middle plane",
+    {conclusions_b, "these are all related to lateral stress magnitude at the middle plane",
      "the less normal stress on M, the more M1 settles", related_to_lateral_stress},
 });
 

@@ -135,4 +135,30 @@ std::vector<ReadingOutcomes> run_readings(CaseRun& run, const std::vector<SlopeS
   return all;
 }
 
+void add_outcomes_of(const std::string& case_name, const CaseRun& run,
+                     const std::vector<SlopeShape>& shapes, std::vector<ReadingOutcomes>& all) {
+  const std::vector<Reading> list = readings(run);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    for (const SlopeShape shape : shapes) {
+      // The same scene whichever case makes it, so that its key tells whether it is the one.
+      const StudyRun study = study_run(run, list[k], shape);
+      const auto outcome = read_outcome(run.options().out / case_name / study.folder);
+      if (outcome && outcome->complete && outcome->key == outcome_key(study.scene)) {
+        all[k].outcomes[shape] = *outcome;
+      }
+    }
+  }
+}
+
+void judge_claims(CaseRun& run, std::span<const ReadingClaim> claims,
+                  const std::vector<ReadingOutcomes>& readings) {
+  for (const ReadingClaim& claim : claims) {
+    std::vector<NamedFinding> findings;
+    for (const ReadingOutcomes& reading : readings) {
+      findings.push_back({reading.reading, claim.find(reading)});
+    }
+    run.add(judge_claim(claim.section, claim.quote, claim.measure, findings));
+  }
+}
+
 }  // namespace scarp::validation

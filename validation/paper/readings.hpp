@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct ReadingOutcomes {
   std::string reading;
   std::map<SlopeShape, Outcome> outcomes;
   const Outcome& of(SlopeShape shape) const { return outcomes.at(shape); }
+  bool has(SlopeShape shape) const { return outcomes.count(shape) != 0; }
 };
 
 /// The first is the one the others are held against. Short and main form: the paper's own pair of
@@ -40,5 +42,20 @@ std::vector<PlannedRun> planned_runs(const CaseRun& run, const std::vector<Slope
 
 /// Runs them all. Errors: SceneError, FileError.
 std::vector<ReadingOutcomes> run_readings(CaseRun& run, const std::vector<SlopeShape>& shapes);
+
+/// Adds what another case's runs of the same readings have left in the same output folder; nothing
+/// where they have not been run.
+void add_outcomes_of(const std::string& case_name, const CaseRun& run,
+                     const std::vector<SlopeShape>& shapes, std::vector<ReadingOutcomes>& all);
+
+/// A statement of the paper and how a reading's outcomes answer it.
+struct ReadingClaim {
+  const char *section, *quote, *measure;
+  Finding (*find)(const ReadingOutcomes&);
+};
+
+/// Adds one line for each statement, over all readings.
+void judge_claims(CaseRun& run, std::span<const ReadingClaim> claims,
+                  const std::vector<ReadingOutcomes>& readings);
 
 }  // namespace scarp::validation

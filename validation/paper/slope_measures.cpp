@@ -13,80 +13,12 @@
 
 #include "validation/deposit.hpp"
 #include "validation/paper/plane_zone.hpp"
+#include "validation/paper/sections.hpp"
 
 namespace scarp::validation {
 namespace {
 
 using std::numbers::sqrt2;
-
-/// A particle in the coordinates of Fig. 4: x and y in plan, z up; in the plane y is 0.
-struct Grain {
-  Vec3 start{}, now{};  ///< settled and present place [m]
-  double moved = 0.0;   ///< displacement since the strength was cut [m]
-  double strain = 0.0;
-  double density = 0.0;
-  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0;  ///< stress, tension positive [Pa]
-};
-
-std::vector<Grain> grains_of(const Simulation& simulation) {
-  const std::vector<double> position = simulation.field("position"),
-                            displacement = simulation.field("displacement"),
-                            strain = simulation.field("accumulated_plastic_strain"),
-                            density = simulation.field("density"),
-                            stress = simulation.field("stress");
-  const bool plane = simulation.scene().dimension == 2;
-  std::vector<Grain> grains(strain.size());
-  for (std::size_t i = 0; i < grains.size(); ++i) {
-    const double *p = &position[3 * i], *u = &displacement[3 * i], *s = &stress[6 * i];
-    Grain& grain = grains[i];
-    grain.now = plane ? Vec3{p[0], 0.0, p[1]} : Vec3{p[0], p[1], p[2]};
-    grain.start =
-        plane ? Vec3{p[0] - u[0], 0.0, p[1] - u[1]} : Vec3{p[0] - u[0], p[1] - u[1], p[2] - u[2]};
-    grain.moved = std::hypot(u[0], u[1], u[2]);
-    grain.strain = strain[i];
-    grain.density = density[i];
-    grain.xx = s[0];
-    grain.yy = plane ? s[2] : s[1];
-    grain.zz = plane ? s[1] : s[2];
-    grain.xy = plane ? 0.0 : s[3];
-  }
-  return grains;
-}
-
-/// A vertical cut through the undeformed slope, one layer of particles thick.
-struct Section {
-  std::string name;
-  bool diagonal = false;
-  double y = 0.0;    ///< of a cut along x; its layer is the one above
-  bool all = false;  ///< plane strain: everything
-
-  bool holds(const Grain& grain, double spacing) const {
-    if (all) return true;
-    if (diagonal) return std::fabs(grain.start[0] - grain.start[1]) < 0.5 * spacing;
-    return std::fabs(grain.start[1] - (y + 0.5 * spacing)) < 0.5 * spacing;
-  }
-  double along(const Vec3& place) const {
-    return diagonal ? (place[0] + place[1]) / sqrt2 : place[0];
-  }
-  double stress_along(const Grain& g) const { return diagonal ? 0.5 * (g.xx + g.yy) + g.xy : g.xx; }
-  double stress_across(const Grain& g) const {
-    return diagonal ? 0.5 * (g.xx + g.yy) - g.xy : g.yy;
-  }
-};
-
-std::vector<Section> sections_of(const Slope3d& slope) {
-  if (slope.plane()) return {{"section", false, 0.0, true}};
-  if (!slope.corner()) return {{"section M"}};
-  return {{"section P", true}, {"section Q", false, slope.lateral_section()}};
-}
-
-/// Above the toe, from half a height behind the crest to the toe.
-bool at_risk(const Grain& grain, const Slope3d& slope) {
-  const double d = slope.distance(grain.start[0], grain.start[1]);
-  const SlopeSize& size = slope.size();
-  return grain.start[2] > size.foundation && d > size.crest - 0.5 * size.height &&
-         d < size.crest + slope.face_run();
-}
 
 double mean(const std::vector<Grain>& grains, const std::function<bool(const Grain&)>& counts,
             const std::function<double(const Grain&)>& value) {

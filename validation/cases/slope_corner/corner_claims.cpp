@@ -231,15 +231,36 @@ Finding plastic_by_lateral_slides(const ReadingOutcomes& all) {
   return area.finding(area.p < area.q, "m2");
 }
 
-struct Row {
-  const char *section, *quote, *measure;
-  Finding (*find)(const ReadingOutcomes&);
-};
+/// Mean over the points of how far the settlement is off its plane counterpart's.
+double off_plane(const std::vector<std::array<double, 2>>& points) {
+  double sum = 0.0;
+  for (const auto& [value, plane] : points) sum += std::fabs(value / plane - 1.0);
+  return sum / static_cast<double>(points.size());
+}
+
+Finding more_apparent(const ReadingOutcomes& all) {
+  if (!all.has(Shape::concave) || !all.has(Shape::convex)) {
+    return {{}, "case slope_curvature has not been run in this folder"};
+  }
+  std::vector<std::array<double, 2>> curved, corners;
+  const double plane_m = all.of(Shape::plane_45).at("crest: settlement [m]");
+  for (const Shape shape : {Shape::concave, Shape::convex}) {
+    curved.push_back({all.of(shape).at("M1: settlement [m]"), plane_m});
+  }
+  for (const Shape shape : {Shape::concave_corner, Shape::convex_corner}) {
+    const AgainstPlane p = top(all, shape, "P1"), q = top(all, shape, "Q1");
+    corners.push_back({p.value, p.plane_p});
+    corners.push_back({q.value, q.plane_q});
+  }
+  const double curvature = off_plane(curved), corner = off_plane(corners);
+  return {if_measured({curvature, corner}, corner > curvature),
+          fmt::format("case 1 {:.3g} %, case 2 {:.3g} %", 100.0 * curvature, 100.0 * corner)};
+}
 
 constexpr const char* across_the_diagonal =
     "slip surface across the diagonal at mid-face: half a height to either side against the corner";
 
-constexpr std::array rows = std::to_array<Row>({
+constexpr std::array rows = std::to_array<ReadingClaim>({
     {case_2, "concave: the slip surface is like a rising wing", across_the_diagonal, concave_wing},
     {case_2, "convex: the sliding surface is like the downbeat of a wing", across_the_diagonal,
      convex_wing},
@@ -273,6 +294,9 @@ constexpr std::array rows = std::to_array<Row>({
      convex_q2_below},
     {case_2, "the foot of the slope at the corner is relatively safe",
      "P2 against Q2, both corners", corner_toe_safe},
+    {conclusions, "for the two typical subbases the 3D effect becomes more apparent",
+     "settlement of the tops off their plane counterparts, mean: case 2 above case 1",
+     more_apparent},
     {conclusions, "instability is more likely to occur at the top corner of the convex subbase",
      "convex: settlement of P1 above that of Q1 and the advance of P2", convex_top_unstable},
     {conclusions, "and at the side slope of the concave subbase",
@@ -298,13 +322,7 @@ constexpr std::array rows = std::to_array<Row>({
 }  // namespace
 
 void judge_corner_claims(CaseRun& run, const std::vector<ReadingOutcomes>& readings) {
-  for (const Row& row : rows) {
-    std::vector<NamedFinding> findings;
-    for (const ReadingOutcomes& reading : readings) {
-      findings.push_back({reading.reading, row.find(reading)});
-    }
-    run.add(judge_claim(row.section, row.quote, row.measure, findings));
-  }
+  judge_claims(run, rows, readings);
 }
 
 }  // namespace scarp::validation

@@ -17,8 +17,9 @@ const std::vector<SlopeShape> shapes{SlopeShape::concave_corner, SlopeShape::con
 std::vector<PlannedRun> slope_corner_runs(const CaseRun& run) { return planned_runs(run, shapes); }
 
 void slope_corner(CaseRun& run) {
-  const std::vector<ReadingOutcomes> readings = run_readings(run, shapes);
+  std::vector<ReadingOutcomes> readings = run_readings(run, shapes);
   judge_slopes(run, readings);
+  add_outcomes_of("slope_curvature", run, {SlopeShape::concave, SlopeShape::convex}, readings);
   judge_corner_claims(run, readings);
   run.finish(nullptr);
 }

@@ -189,12 +189,7 @@ constexpr const char* front =
     "how far the foot of the soil above toe level advances on section M; the slip may leave above "
     "M2";
 
-struct Row {
-  const char *section, *quote, *measure;
-  Finding (*find)(const ReadingOutcomes&);
-};
-
-constexpr std::array rows = std::to_array<Row>({
+constexpr std::array rows = std::to_array<ReadingClaim>({
     {case_1, "the whole slip surface eventually evolves to a dish shape",
      "depth of the slide below the middle of the face: at section M above that at the rough side",
      any_dish},
@@ -255,13 +250,7 @@ constexpr std::array rows = std::to_array<Row>({
 }  // namespace
 
 void judge_curvature_claims(CaseRun& run, const std::vector<ReadingOutcomes>& readings) {
-  for (const Row& row : rows) {
-    std::vector<NamedFinding> findings;
-    for (const ReadingOutcomes& reading : readings) {
-      findings.push_back({reading.reading, row.find(reading)});
-    }
-    run.add(judge_claim(row.section, row.quote, row.measure, findings));
-  }
+  judge_claims(run, rows, readings);
 }
 
 }  // namespace scarp::validation

@@ -7,7 +7,7 @@ import numpy as np
 import scarp_report as scarp
 
 plt = scarp.plt
-ZOOM = 1.2  # 3D axes leave wide margins
+ZOOM = 1.12  # 3D axes leave wide margins
 STYLES = {"concave": ("#0072b2", "-"), "straight": ("#009e73", "-"), "convex": ("#d55e00", "-"),
           "2D": ("#000000", "--"), "2D by Eq. 11": ("#777777", ":")}
 
@@ -82,7 +82,7 @@ def views(page, rows, file, caption):
     limits = {field: common_limits([f for _, cells, _ in rows for f, one, _ in cells if one == field], field)
               for field in fields}
     wide = max(len(cells) for _, cells, _ in rows)
-    figure = plt.figure(figsize=(4.1 * wide, 3.5 * len(rows)))
+    figure = plt.figure(figsize=(4.1 * wide, 3.8 * len(rows)))
     last = {}
     for r, (title, cells, view) in enumerate(rows):
         for c, (frame, field, words) in enumerate(cells):
@@ -115,13 +115,14 @@ def sections(page, panels, columns, file, caption):
     page.figure(figure, caption, file)
 
 
-def cut(frame, along, across, at):
+def cut(frame, along, across, at, between=1.0):
     """A vertical section as a plane frame: coordinates (along, z) of the soil whose settled place lies within half a
-    spacing of `at` on `across`; both are functions of places (n, 3)."""
+    spacing of `at` on `across`; both are functions of places (n, 3). `between`: distance of the particles along the
+    section, in spacings."""
     near = np.abs(across(settled_place(frame)) - at) < 0.51 * frame["spacing"]
     found = part(frame, near)
     place = found["position"]
-    return dict(found, dimension=2, position=np.stack([along(place), place[:, 2], 0 * place[:, 2]], axis=1))
+    return dict(found, dimension=2, spacing=between * frame["spacing"], position=np.stack([along(place), place[:, 2], 0 * place[:, 2]], axis=1))
 
 
 def histories(page, panels, file, caption):
@@ -134,5 +135,6 @@ def histories(page, panels, file, caption):
         ax.set_xlabel("time since the strength was cut [s]")
         ax.set_ylabel("displacement [m]")
         ax.grid(alpha=0.25, linewidth=0.5)
-        ax.legend(fontsize=8)
+    many = max(len(lines) for _, lines in panels) > 5
+    axes.flat[-1].legend(fontsize=8, **(dict(loc="upper left", bbox_to_anchor=(1.01, 1.0)) if many else {}))
     page.figure(figure, caption, file)

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "validation/cases/slope_corner/corner_mechanism.hpp"
+
 namespace scarp::validation {
 namespace {
 
@@ -45,42 +47,12 @@ AgainstPlane toe(const ReadingOutcomes& all, Shape shape, const char* probe) {
           all.of(Shape::plane_35).at(plane), all.of(Shape::plane_45).at(plane)};
 }
 
-/// The same value at P and at Q of one slope.
-struct Pair {
-  double p, q;
-  Finding finding(bool holds, const char* unit) const {
-    return {if_measured({p, q}, holds), fmt::format("P {:.3g}, Q {:.3g} {}", p, q, unit)};
-  }
-};
-
 Pair tops(const ReadingOutcomes& all, Shape shape) {
   return {top(all, shape, "P1").value, top(all, shape, "Q1").value};
 }
 
 Pair toes(const ReadingOutcomes& all, Shape shape) {
   return {toe(all, shape, "P2").value, toe(all, shape, "Q2").value};
-}
-
-Finding slip_surface(const ReadingOutcomes& all, Shape shape, double sign) {
-  const double above = all.of(shape).at("slip surface, either side above the corner [m]");
-  return {if_measured({above}, sign * above > 0.0),
-          fmt::format("either side {:.3g} m above the corner", above)};
-}
-
-Finding concave_wing(const ReadingOutcomes& all) {
-  return slip_surface(all, Shape::concave_corner, 1.0);
-}
-
-Finding convex_wing(const ReadingOutcomes& all) {
-  return slip_surface(all, Shape::convex_corner, -1.0);
-}
-
-Finding symmetrical(const ReadingOutcomes& all) {
-  constexpr const char* sides = "slide volume, difference of the sides over both [-]";
-  const double concave = all.of(Shape::concave_corner).at(sides),
-               convex = all.of(Shape::convex_corner).at(sides);
-  return {if_measured({concave, convex}, concave < 0.02 && convex < 0.02),
-          fmt::format("concave {:.2g}, convex {:.2g}", concave, convex)};
 }
 
 template <Shape shape>
@@ -94,17 +66,6 @@ Finding flatter_is_more_stable(const ReadingOutcomes& all) {
   const AgainstPlane crest = top(all, Shape::convex_corner, "P1");
   return {if_measured({crest.plane_p, crest.plane_q}, crest.plane_p < crest.plane_q),
           fmt::format("2D of P {:.3g}, of Q {:.3g} m", crest.plane_p, crest.plane_q)};
-}
-
-Pair normal_stress(const ReadingOutcomes& all, Shape shape, const char* moment) {
-  const Outcome& outcome = all.of(shape);
-  return {outcome.at(fmt::format("section P: across, {} [Pa]", moment)) / 1e3,
-          outcome.at(fmt::format("section Q: across, {} [Pa]", moment)) / 1e3};
-}
-
-Finding centre_less_constrained(const ReadingOutcomes& all) {
-  const Pair stress = normal_stress(all, Shape::convex_corner, "settled");
-  return stress.finding(stress.p < stress.q, "kPa");
 }
 
 Finding concave_top_immobile(const ReadingOutcomes& all) {
@@ -124,6 +85,24 @@ Finding toes_far_below(const ReadingOutcomes& all) {
                       std::max(concave.value, convex.value) < far_below * convex.plane_p),
           fmt::format("concave {:.3g}, convex {:.3g}, 2D of P {:.3g} m", concave.value,
                       convex.value, convex.plane_p)};
+}
+
+/// How far the foot of the soil above toe level has come.
+AgainstPlane front(const ReadingOutcomes& all, Shape shape, const char* section) {
+  constexpr const char* plane = "section: front: advance [m]";
+  return {all.of(shape).at(fmt::format("section {}: front: advance [m]", section)),
+          all.of(Shape::plane_35).at(plane), all.of(Shape::plane_45).at(plane)};
+}
+
+Finding corner_front_safe(const ReadingOutcomes& all) {
+  const Pair concave{front(all, Shape::concave_corner, "P").value,
+                     front(all, Shape::concave_corner, "Q").value},
+      convex{front(all, Shape::convex_corner, "P").value,
+             front(all, Shape::convex_corner, "Q").value};
+  return {if_measured({concave.p, concave.q, convex.p, convex.q},
+                      concave.p < concave.q && convex.p < convex.q),
+          fmt::format("concave P {:.3g}, Q {:.3g}; convex P {:.3g}, Q {:.3g} m", concave.p,
+                      concave.q, convex.p, convex.q)};
 }
 
 Finding plane_q_higher(const ReadingOutcomes& all) {
@@ -169,66 +148,6 @@ Finding convex_top_unstable(const ReadingOutcomes& all) {
 
 Finding concave_side_unstable(const ReadingOutcomes& all) {
   return centre_moves_less<Shape::concave_corner>(all);
-}
-
-Finding stresses_hold_concave(const ReadingOutcomes& all) {
-  const double concave = normal_stress(all, Shape::concave_corner, "settled").p,
-               convex = normal_stress(all, Shape::convex_corner, "settled").p;
-  const double plane = all.of(Shape::plane_35).at("section: across, settled [Pa]") / 1e3;
-  return {if_measured({concave, convex, plane}, concave > plane && convex < plane),
-          fmt::format("concave {:.3g}, 2D {:.3g}, convex {:.3g} kPa", concave, plane, convex)};
-}
-
-Finding q_fails_first(const ReadingOutcomes& all) {
-  std::string numbers;
-  bool holds = true;
-  for (const Shape shape : {Shape::concave_corner, Shape::convex_corner}) {
-    const double p = all.of(shape).at("P1: failed after [s]"),
-                 q = all.of(shape).at("Q1: failed after [s]");
-    holds &= q < (std::isnan(p) ? INFINITY : p);  // NaN: it never failed
-    numbers +=
-        fmt::format("{}{} P1 {:.3g}, Q1 {:.3g} s", numbers.empty() ? "" : "; ", words(shape), p, q);
-  }
-  return {holds, numbers};
-}
-
-Finding convex_top_sinks_by_q(const ReadingOutcomes& all) {
-  const Outcome& convex = all.of(Shape::convex_corner);
-  const double q = convex.at("Q1: failed after [s]"), p = convex.at("P1: failed after [s]"),
-               foot = convex.at("P2: advance [m]"), sinks = convex.at("P1: settlement [m]");
-  return {if_measured({foot, sinks}, q < p && foot < sinks),
-          fmt::format(
-              "Q1 fails after {:.3g} s, P1 after {:.3g} s; P1 sinks {:.3g} m, P2 advances {:.3g} m",
-              q, p, sinks, foot)};
-}
-
-Finding cracks_at_corner_toe(const ReadingOutcomes& all) {
-  const Outcome& convex = all.of(Shape::convex_corner);
-  const Pair density{convex.at("section P: lowest density above the toe [-]"),
-                     convex.at("section Q: lowest density above the toe [-]")};
-  return density.finding(density.p < density.q, "of the initial density");
-}
-
-Finding zone_shape(const ReadingOutcomes& all, Shape shape, bool triangle) {
-  // Of the rectangle that holds it a triangle takes 1/2, a circle's segment 2/3, a rectangle 1.
-  const double share = all.of(shape).at("section P: plastic zone over its rectangle [-]");
-  return {if_measured({share}, triangle ? share < 7.0 / 12.0 : share > 2.0 / 3.0),
-          fmt::format("{:.3g} of the rectangle", share)};
-}
-
-Finding concave_triangle(const ReadingOutcomes& all) {
-  return zone_shape(all, Shape::concave_corner, true);
-}
-
-Finding convex_quadrilateral(const ReadingOutcomes& all) {
-  return zone_shape(all, Shape::convex_corner, false);
-}
-
-Finding plastic_by_lateral_slides(const ReadingOutcomes& all) {
-  const Outcome& concave = all.of(Shape::concave_corner);
-  const Pair area{concave.at("section P: plastic area [m2]"),
-                  concave.at("section Q: plastic area [m2]")};
-  return area.finding(area.p < area.q, "m2");
 }
 
 /// Mean over the points of how far the settlement is off its plane counterpart's.
@@ -294,6 +213,9 @@ constexpr std::array rows = std::to_array<ReadingClaim>({
      convex_q2_below},
     {case_2, "the foot of the slope at the corner is relatively safe",
      "P2 against Q2, both corners", corner_toe_safe},
+    {conclusions, "the toe at the corner of the convex and concave subbases is relatively safe",
+     "advance of the foot of the soil above toe level: section P below section Q, both corners",
+     corner_front_safe},
     {conclusions, "for the two typical subbases the 3D effect becomes more apparent",
      "settlement of the tops off their plane counterparts, mean: case 2 above case 1",
      more_apparent},

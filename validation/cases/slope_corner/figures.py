@@ -37,7 +37,7 @@ def _histories(page, runs, readings, figures):
         lines = []
         for section, style in (("P", "-"), ("Q", "--")):
             for shape, colour in zip(SHAPES, ("#0072b2", "#d55e00")):
-                lines.append((f"{section}{number}, {shape}", runs.history(shape, f"{section}{number}", kind), colour,
+                lines.append((f"{section}, {shape}", runs.history(shape, f"{section}{number}", kind), colour,
                               style))
         plain = [("2D", runs, "#000000")]
         if "2D by Eq. 11" in readings:
@@ -60,14 +60,15 @@ def _sections(page, runs, figures):
             dx = frame["spacing"]
             if section == "P":
                 along, across, at = lambda p: (p[:, 0] + p[:, 1]) / np.sqrt(2), lambda p: p[:, 0] - p[:, 1], 0.0
+                between = np.sqrt(2)  # the lattice's diagonal
             else:
                 far = runs.initial(shape)["position"][:, 1].max() + 0.5 * dx
                 at = (far - 0.5 * size["crest"] if column == 0 else 0.5 * size["crest"]) + 0.5 * dx
-                along, across = lambda p: p[:, 0], lambda p: p[:, 1]
-            initial = slopes.cut(runs.initial(shape), along, across, at)
+                along, across, between = lambda p: p[:, 0], lambda p: p[:, 1], 1.0
+            initial = slopes.cut(runs.initial(shape), along, across, at, between)
             letter = "bcef"[2 * row + column]
             panels.append((f"({letter}) {section}, {shape}",
-                           slopes.cut(frame, along, across, at), initial))
+                           slopes.cut(frame, along, across, at, between), initial))
     slopes.sections(page, panels, 3, figures / "fig_10.png",
                     "Beside Fig. 10: accumulated plastic strain on sections P (top) and Q (bottom) at the end; dashed: "
                     "before.")

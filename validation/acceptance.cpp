@@ -126,6 +126,7 @@ void write_case_results(const std::filesystem::path& path, const Simulation* sim
   for (const ClaimLine& claim : result.claims) json["claims"].push_back(json_of(claim));
   json["case"] = result.case_name;
   json["form"] = result.form;
+  json["options"] = result.options;
   json["pass"] = passed(result);
   json["complete"] = result.failure.empty();
   json["failure"] = result.failure.empty() ? Json() : Json(result.failure);

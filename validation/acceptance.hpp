@@ -52,7 +52,8 @@ double observed_order(const std::vector<ErrorAtSpacing>& errors);
 
 struct CaseResult {
   std::string case_name;
-  std::string form;  ///< "short", "main" or "full"
+  std::string form;     ///< "short", "main" or "full"
+  std::string options;  ///< see `options_key`
   std::vector<Measure> measures;
   std::vector<ClaimLine> claims;  ///< of the paper; never judged as pass or fail
   std::vector<StageResult> stages;

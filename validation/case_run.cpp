@@ -52,6 +52,12 @@ const char* form_name(Form form) {
 
 }  // namespace
 
+std::string options_key(const CaseOptions& options) {
+  return fmt::format("scarp {}, {} form, preset {}, precision {}, spacing {}, isa {}",
+                     program_version(), form_name(options.form), options.preset, options.precision,
+                     options.spacing, options.run.isa);
+}
+
 std::filesystem::path data_folder() {
   namespace fs = std::filesystem;
   if (const char* chosen = std::getenv("SCARP_VALIDATION"); chosen && *chosen) return chosen;
@@ -71,6 +77,7 @@ CaseRun::CaseRun(std::string case_name, CaseOptions options) : options_(std::mov
   }
   result_.case_name = std::move(case_name);
   result_.form = form_name(options_.form);
+  result_.options = options_key(options_);
   start_s_ = now_s();
 }
 

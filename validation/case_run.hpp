@@ -28,7 +28,7 @@ struct CaseOptions {
   double spacing = 0.0;               ///< in place of the form's [m]
   RunOptions run;
   bool quiet = false;
-  bool resume = false;  ///< keep and go on with runs of studies that an earlier call left
+  bool resume = false;  ///< keep what an earlier call finished, go on with what it began
   SetForecast* forecast = nullptr;  ///< told of the runs of studies; may be null
   /// A run with a particle faster than sound counts as unstable. Lost grains slow a run until it
   /// would never end.
@@ -92,6 +92,10 @@ class CaseRun {
   CaseResult result_;
   double start_s_ = 0.0;
 };
+
+/// Of everything that an option can change in a case's results: version, form, preset, precision,
+/// spacing, instruction set.
+std::string options_key(const CaseOptions& options);
 
 /// The folder of the cases' data: SCARP_VALIDATION, else beside an installed program, else the
 /// source tree it was built from.

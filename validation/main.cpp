@@ -26,7 +26,7 @@ enum ExitCode { ok = 0, failed = 1, usage = 2 };
 struct Arguments {
   std::vector<std::string> cases;
   CaseOptions options;
-  bool short_form = false, full = false;
+  bool short_form = false, full = false, forecast_only = false;
   std::string spacing, json, report_folder;
   ErrorTimeArguments error_time;
 };
@@ -36,8 +36,25 @@ nlohmann::ordered_json read_json(const std::filesystem::path& path) {
   return nlohmann::ordered_json::parse(stream);
 }
 
+/// Whether the results that an earlier call left stand for this one.
+bool is_kept(const CaseRow& row, const CaseOptions& options) {
+  const std::filesystem::path path = options.out / row.name / "results.json";
+  if (!options.resume || row.keeps_runs || !std::filesystem::exists(path)) return false;
+  try {
+    const auto json = read_json(path);
+    return json.at("complete").get<bool>() && json.at("options") == options_key(options);
+  } catch (const nlohmann::json::exception&) {  // cut short, or of an older version
+    return false;
+  }
+}
+
 /// Runs one case to its verdict; whatever goes wrong in it is part of that verdict.
 bool run_case(const CaseRow& row, const CaseOptions& options) {
+  if (is_kept(row, options)) {
+    const bool pass = read_json(options.out / row.name / "results.json")["pass"].get<bool>();
+    fmt::print("{} {}: kept\n", pass ? "PASS" : "FAIL", row.name);
+    return pass;
+  }
   CaseRun run(std::string(row.name), options);
   try {
     row.function(run);
@@ -55,7 +72,7 @@ bool run_case(const CaseRow& row, const CaseOptions& options) {
 void forecast_runs(const std::vector<const CaseRow*>& rows, const CaseOptions& options,
                    SetForecast& forecast) {
   for (const CaseRow* row : rows) {
-    if (row->runs == nullptr) continue;
+    if (row->runs == nullptr || is_kept(*row, options)) continue;
     const std::string name(row->name);
     for (const PlannedRun& planned : row->runs(CaseRun(name, options))) {
       forecast.plan(name, planned, options.run);
@@ -86,6 +103,7 @@ int run_command(Arguments& arguments) {
   }
   SetForecast forecast(options.quiet);
   forecast_runs(rows, options, forecast);
+  if (arguments.forecast_only) return ok;
   options.forecast = &forecast;
   bool all_pass = true;
   nlohmann::ordered_json results{{"format", "scarp validation"}, {"version", 1}};
@@ -176,9 +194,10 @@ int run_program(int argc, char** argv) {
   run->add_option("--spacing", arguments.spacing, "Particle spacing, e.g. \"0.5 m\"");
   run->add_option("--isa", options.run.isa, "Instruction set: sse2, avx2, avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
-  run->add_flag(
-      "--resume", options.resume,
-      "Keep the runs of the 3D slopes that an earlier call finished, go on with the others");
+  run->add_flag("--resume", options.resume,
+                "Keep what an earlier call with the same options finished, go on with the others");
+  run->add_flag("--forecast", arguments.forecast_only,
+                "Say what the paper's cases will take, run nothing");
   run->add_option("--json", arguments.json, "Write all results here, - for standard output");
   run->add_flag("-q,--quiet", options.quiet, "No progress");
 

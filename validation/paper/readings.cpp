@@ -43,12 +43,12 @@ StudyRun study_run(const CaseRun& run, const Reading& reading, SlopeShape shape)
 }
 
 /// readings.json, which tells the figures whose runs lie in which folder.
-void write_readings(const CaseRun& run, const std::vector<ReadingOutcomes>& all) {
+void write_readings(const CaseRun& run, const std::vector<Reading>& list,
+                    const std::vector<ReadingOutcomes>& all) {
   using Json = nlohmann::ordered_json;
   Json json{{"format", "scarp readings"}, {"version", 1}};
   json["slide_share"] = slide_share;
   json["readings"] = Json::array();
-  const std::vector<Reading> list = readings(run);
   for (std::size_t k = 0; k < all.size(); ++k) {
     Json one{{"name", all[k].reading},
              {"spacing", list[k].spacing},
@@ -75,7 +75,7 @@ Observer observer_of(const Slope3d& slope) {
 
 }  // namespace
 
-std::vector<Reading> readings(const CaseRun& run) {
+std::vector<Reading> readings(const CaseRun& run, const ReadingPlan& plan) {
   const CaseOptions& options = run.options();
   Reading base;
   base.name = "base";
@@ -94,16 +94,15 @@ std::vector<Reading> readings(const CaseRun& run) {
   const std::string other = options.preset == "paper" ? "modern" : "paper";
   add("preset " + other).preset = other;
   add("14 m high").size.height = 14.0;
-  Reading& fine = add("finer");
-  fine.spacing = base.spacing / 1.5;
-  fine.name = fmt::format("dx {:.3g} m", fine.spacing);
+  const double spacing = base.spacing * plan.other_spacing;
+  add(fmt::format("dx {:.3g} m", spacing)).spacing = spacing;
   return all;
 }
 
-std::vector<PlannedRun> planned_runs(const CaseRun& run, const std::vector<SlopeShape>& shapes) {
+std::vector<PlannedRun> planned_runs(const CaseRun& run, const ReadingPlan& plan) {
   std::vector<PlannedRun> planned;
-  for (const Reading& reading : readings(run)) {
-    for (const SlopeShape shape : shapes) {
+  for (const Reading& reading : readings(run, plan)) {
+    for (const SlopeShape shape : plan.shapes) {
       StudyRun study = study_run(run, reading, shape);
       const bool known = std::any_of(planned.begin(), planned.end(), [&](const PlannedRun& other) {
         return other.name == study.name;
@@ -116,13 +115,13 @@ std::vector<PlannedRun> planned_runs(const CaseRun& run, const std::vector<Slope
   return planned;
 }
 
-std::vector<ReadingOutcomes> run_readings(CaseRun& run, const std::vector<SlopeShape>& shapes) {
+std::vector<ReadingOutcomes> run_readings(CaseRun& run, const ReadingPlan& plan) {
   std::vector<ReadingOutcomes> all;
   std::map<std::string, Outcome> known;
-  for (const Reading& reading : readings(run)) {
+  for (const Reading& reading : readings(run, plan)) {
     ReadingOutcomes one;
     one.reading = reading.name;
-    for (const SlopeShape shape : shapes) {
+    for (const SlopeShape shape : plan.shapes) {
       const StudyRun study = study_run(run, reading, shape);
       if (known.count(study.folder) == 0) {
         known[study.folder] = outcome_of(run, study, observer_of(Slope3d(shape, reading.size)));
@@ -131,15 +130,15 @@ std::vector<ReadingOutcomes> run_readings(CaseRun& run, const std::vector<SlopeS
     }
     all.push_back(std::move(one));
   }
-  write_readings(run, all);
+  write_readings(run, readings(run, plan), all);
   return all;
 }
 
-void add_outcomes_of(const std::string& case_name, const CaseRun& run,
-                     const std::vector<SlopeShape>& shapes, std::vector<ReadingOutcomes>& all) {
-  const std::vector<Reading> list = readings(run);
+void add_outcomes_of(const std::string& case_name, const CaseRun& run, const ReadingPlan& plan,
+                     std::vector<ReadingOutcomes>& all) {
+  const std::vector<Reading> list = readings(run, plan);
   for (std::size_t k = 0; k < list.size(); ++k) {
-    for (const SlopeShape shape : shapes) {
+    for (const SlopeShape shape : plan.shapes) {
       // The same scene whichever case makes it, so that its key tells whether it is the one.
       const StudyRun study = study_run(run, list[k], shape);
       const auto outcome = read_outcome(run.options().out / case_name / study.folder);

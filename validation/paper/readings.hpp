@@ -32,21 +32,27 @@ struct ReadingOutcomes {
   bool has(SlopeShape shape) const { return outcomes.count(shape) != 0; }
 };
 
+/// What a case runs of each reading.
+struct ReadingPlan {
+  std::vector<SlopeShape> shapes;
+  double other_spacing = 1.0;  ///< of the full form's second spacing, over the first
+};
+
 /// The first is the one the others are held against. Short and main form: the paper's own pair of
-/// cones besides; full: the plane strain cone throughout, the other preset, another height, and a
-/// finer spacing.
-std::vector<Reading> readings(const CaseRun& run);
+/// cones besides; full: the plane strain cone throughout, the other preset, another height, and the
+/// plan's other spacing.
+std::vector<Reading> readings(const CaseRun& run, const ReadingPlan& plan);
 
 /// The runs still to come, each once however many readings need it.
-std::vector<PlannedRun> planned_runs(const CaseRun& run, const std::vector<SlopeShape>& shapes);
+std::vector<PlannedRun> planned_runs(const CaseRun& run, const ReadingPlan& plan);
 
 /// Runs them all. Errors: SceneError, FileError.
-std::vector<ReadingOutcomes> run_readings(CaseRun& run, const std::vector<SlopeShape>& shapes);
+std::vector<ReadingOutcomes> run_readings(CaseRun& run, const ReadingPlan& plan);
 
 /// Adds what another case's runs of the same readings have left in the same output folder; nothing
 /// where they have not been run.
-void add_outcomes_of(const std::string& case_name, const CaseRun& run,
-                     const std::vector<SlopeShape>& shapes, std::vector<ReadingOutcomes>& all);
+void add_outcomes_of(const std::string& case_name, const CaseRun& run, const ReadingPlan& plan,
+                     std::vector<ReadingOutcomes>& all);
 
 /// A statement of the paper and how a reading's outcomes answer it.
 struct ReadingClaim {

@@ -9,17 +9,20 @@
 namespace scarp::validation {
 namespace {
 
-const std::vector<SlopeShape> shapes{SlopeShape::concave_corner, SlopeShape::convex_corner,
-                                     SlopeShape::plane_35, SlopeShape::plane_45};
+/// The second spacing is the coarser one: corners hold four to seven times the soil of case 1.
+const ReadingPlan plan{{SlopeShape::concave_corner, SlopeShape::convex_corner, SlopeShape::plane_35,
+                        SlopeShape::plane_45},
+                       4.0 / 3.0};
 
 }  // namespace
 
-std::vector<PlannedRun> slope_corner_runs(const CaseRun& run) { return planned_runs(run, shapes); }
+std::vector<PlannedRun> slope_corner_runs(const CaseRun& run) { return planned_runs(run, plan); }
 
 void slope_corner(CaseRun& run) {
-  std::vector<ReadingOutcomes> readings = run_readings(run, shapes);
+  std::vector<ReadingOutcomes> readings = run_readings(run, plan);
   judge_slopes(run, readings);
-  add_outcomes_of("slope_curvature", run, {SlopeShape::concave, SlopeShape::convex}, readings);
+  add_outcomes_of("slope_curvature", run,
+                  {{SlopeShape::concave, SlopeShape::convex}, plan.other_spacing}, readings);
   judge_corner_claims(run, readings);
   run.finish(nullptr);
 }

@@ -8,17 +8,16 @@
 namespace scarp::validation {
 namespace {
 
-const std::vector<SlopeShape> shapes{SlopeShape::concave, SlopeShape::straight, SlopeShape::convex,
-                                     SlopeShape::plane_45};
+const ReadingPlan plan{
+    {SlopeShape::concave, SlopeShape::straight, SlopeShape::convex, SlopeShape::plane_45},
+    1.0 / 1.5};
 
 }  // namespace
 
-std::vector<PlannedRun> slope_curvature_runs(const CaseRun& run) {
-  return planned_runs(run, shapes);
-}
+std::vector<PlannedRun> slope_curvature_runs(const CaseRun& run) { return planned_runs(run, plan); }
 
 void slope_curvature(CaseRun& run) {
-  const std::vector<ReadingOutcomes> readings = run_readings(run, shapes);
+  const std::vector<ReadingOutcomes> readings = run_readings(run, plan);
   judge_slopes(run, readings);
   judge_curvature_claims(run, readings);
   run.finish(nullptr);

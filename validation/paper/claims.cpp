@@ -25,8 +25,10 @@ ClaimLine judge_claim(const std::string& section, const std::string& quote,
   for (auto other = findings.begin() + 1; other != findings.end(); ++other) {
     const Finding& finding = other->finding;
     agree &= !finding.holds || finding.holds == first.holds;
-    line.sensitivity += fmt::format("{}{}: {} ({})", line.sensitivity.empty() ? "" : "; ",
-                                    other->reading, word(finding.holds), finding.numbers);
+    const bool same = finding.holds == first.holds && finding.numbers == first.numbers;
+    line.sensitivity += fmt::format(
+        "{}{}: {}", line.sensitivity.empty() ? "" : "; ", other->reading,
+        same ? "the same" : fmt::format("{} ({})", word(finding.holds), finding.numbers));
   }
   if (first.holds) {
     line.verdict = !agree ? "sensitive" : *first.holds ? "confirmed" : "not confirmed";

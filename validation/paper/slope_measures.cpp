@@ -60,16 +60,21 @@ void measure_stress(const std::vector<Grain>& grains, const Slope3d& slope, doub
       -mean(grains, side, [&](const Grain& g) { return downhill_stress(g, slope); });
 }
 
-/// How far the foot of the soil above the toe has come in the section [m].
+/// How far the foot of the soil that lay above the toe has come in the section, by its third
+/// particle: one or two may roll ahead [m].
 double front_advance(const std::vector<Grain>& grains, const Section& section, double foundation,
                      double spacing) {
-  double before = 0.0, now = 0.0;
+  std::vector<double> before, now;
   for (const Grain& grain : grains) {
-    if (!section.holds(grain, spacing)) continue;
-    if (grain.start[2] > foundation) before = std::max(before, section.along(grain.start));
-    if (grain.now[2] > foundation) now = std::max(now, section.along(grain.now));
+    if (!section.holds(grain, spacing) || grain.start[2] < foundation) continue;
+    before.push_back(section.along(grain.start));
+    now.push_back(section.along(grain.now));
   }
-  return now - before;
+  const auto third = [](std::vector<double>& places) {
+    std::nth_element(places.begin(), places.begin() + 2, places.end(), std::greater<>());
+    return places[2];
+  };
+  return before.size() < 3 ? std::nan("") : third(now) - third(before);
 }
 
 bool slides(const Grain& grain, const Slope3d& slope) {

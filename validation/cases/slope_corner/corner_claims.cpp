@@ -87,7 +87,7 @@ Finding toes_far_below(const ReadingOutcomes& all) {
                       convex.value, convex.plane_p)};
 }
 
-/// How far the foot of the soil above toe level has come.
+/// How far the foot of the soil that lay above toe level has come.
 AgainstPlane front(const ReadingOutcomes& all, Shape shape, const char* section) {
   constexpr const char* plane = "section: front: advance [m]";
   return {all.of(shape).at(fmt::format("section {}: front: advance [m]", section)),
@@ -214,7 +214,7 @@ constexpr std::array rows = std::to_array<ReadingClaim>({
     {case_2, "the foot of the slope at the corner is relatively safe",
      "P2 against Q2, both corners", corner_toe_safe},
     {conclusions, "the toe at the corner of the convex and concave subbases is relatively safe",
-     "advance of the foot of the soil above toe level: section P below section Q, both corners",
+     "advance of the foot of the soil that lay above toe level: section P below Q, both corners",
      corner_front_safe},
     {conclusions, "for the two typical subbases the 3D effect becomes more apparent",
      "settlement of the tops off their plane counterparts, mean: case 2 above case 1",

@@ -18,6 +18,7 @@ def draw(page, claims):
     for number, claim in enumerate(claims, 1):
         badge = scarp.badge(BADGES.get(claim["verdict"]), claim["verdict"])
         rows.append([number] + ([claim.get("case", "")] if with_case else []) +
-                    [claim["section"], claim["quote"], claim["measure"], claim["numbers"], badge, claim["sensitivity"]])
+                    [claim["section"], claim["quote"], claim["measure"], claim["numbers"], badge,
+                     scarp.Raw("<br>".join(map(scarp._escaped, claim["sensitivity"].split(" | "))))])
     page.table(["", *(["case"] if with_case else []), "section", "the paper", "measure", "numbers", "verdict",
                 "other readings"], rows)

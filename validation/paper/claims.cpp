@@ -27,7 +27,7 @@ ClaimLine judge_claim(const std::string& section, const std::string& quote,
     agree &= !finding.holds || finding.holds == first.holds;
     const bool same = finding.holds == first.holds && finding.numbers == first.numbers;
     line.sensitivity += fmt::format(
-        "{}{}: {}", line.sensitivity.empty() ? "" : "; ", other->reading,
+        "{}{}: {}", line.sensitivity.empty() ? "" : " | ", other->reading,
         same ? "the same" : fmt::format("{} ({})", word(finding.holds), finding.numbers));
   }
   if (first.holds) {

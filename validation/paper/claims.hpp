@@ -21,7 +21,7 @@ struct ClaimLine {
   std::string measure;      ///< chosen for it
   std::string numbers;      ///< of the first reading
   std::string verdict;      ///< "confirmed", "not confirmed", "sensitive" or "not measured"
-  std::string sensitivity;  ///< what the other readings say
+  std::string sensitivity;  ///< what the other readings say, " | " between them
 };
 
 /// A finding under the name of its reading.

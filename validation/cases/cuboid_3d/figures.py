@@ -70,9 +70,10 @@ def _profiles(page, runs, figures):
 
 def _layers(page, frame, path, figures):
     dx = frame["spacing"]
+    base = dx * round(BASE / dx)  # the case moves faces to whole spacings
     middle = slopes.part(frame, frame["position"][:, 1] < dx)
     start = slopes.settled_place(middle)
-    fill = (start[:, 0] < 0.3) & (start[:, 2] > BASE)
+    fill = (start[:, 0] < 0.3) & (start[:, 2] > base)
     moved = np.linalg.norm(middle["fields"]["displacement"], axis=1)
     figure, ax = plt.subplots(figsize=(9.0, 3.8))
     ax.set_aspect("equal")
@@ -80,7 +81,7 @@ def _layers(page, frame, path, figures):
     ax.set_ylim(0, 0.2)
     points_per_metre = 72 * 8.0 / 0.55
     size = (dx * points_per_metre) ** 2 * (0.25 + 0.75 * moved / max(moved.max(), 1e-12))
-    layer = np.clip(((start[:, 2] - BASE) / (0.144 / LAYERS)).astype(int), 0, LAYERS - 1)
+    layer = np.clip(((start[:, 2] - base) / (0.144 / LAYERS)).astype(int), 0, LAYERS - 1)
     colours = np.array(GREYS)[layer % 2]
     colours[~fill] = "#bbbbbb"
     ax.scatter(*middle["position"][:, [0, 2]].T, s=size, c=colours, linewidths=0)

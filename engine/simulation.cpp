@@ -12,6 +12,7 @@
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
 #include "engine/state.hpp"
+#include "engine/watch/watch.hpp"
 
 namespace scarp {
 namespace {
@@ -24,19 +25,32 @@ struct Phase {
   Phase { #function, function }
 
 /// The step of each integrator, literally; an adapter may act between two phases.
-constexpr std::array verlet_phases{SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
-                                   SCARP_PHASE(sweep_all),          SCARP_PHASE(sample_energy),
-                                   SCARP_PHASE(choose_time_step),   SCARP_PHASE(advance_verlet),
-                                   SCARP_PHASE(hold_off_faces),     SCARP_PHASE(end_step)};
-constexpr std::array kick_drift_kick_phases{
-    SCARP_PHASE(choose_time_step),   SCARP_PHASE(kick_half),
-    SCARP_PHASE(hold_off_faces),     SCARP_PHASE(drift_half),
-    SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
-    SCARP_PHASE(sweep_gradient),     SCARP_PHASE(advance_stress),
-    SCARP_PHASE(drift_half),         SCARP_PHASE(refresh_neighbours),
-    SCARP_PHASE(extrapolate_walls),  SCARP_PHASE(sweep_force),
-    SCARP_PHASE(kick_half),          SCARP_PHASE(hold_off_faces),
-    SCARP_PHASE(sample_energy),      SCARP_PHASE(end_step)};
+constexpr std::array verlet_phases{SCARP_PHASE(refresh_neighbours),
+                                   SCARP_PHASE(extrapolate_walls),
+                                   SCARP_PHASE(sweep_all),
+                                   SCARP_PHASE(sample_energy),
+                                   SCARP_PHASE(choose_time_step),
+                                   SCARP_PHASE(advance_verlet),
+                                   SCARP_PHASE(hold_off_faces),
+                                   SCARP_PHASE(watch),
+                                   SCARP_PHASE(end_step)};
+constexpr std::array kick_drift_kick_phases{SCARP_PHASE(choose_time_step),
+                                            SCARP_PHASE(kick_half),
+                                            SCARP_PHASE(hold_off_faces),
+                                            SCARP_PHASE(drift_half),
+                                            SCARP_PHASE(refresh_neighbours),
+                                            SCARP_PHASE(extrapolate_walls),
+                                            SCARP_PHASE(sweep_gradient),
+                                            SCARP_PHASE(advance_stress),
+                                            SCARP_PHASE(drift_half),
+                                            SCARP_PHASE(refresh_neighbours),
+                                            SCARP_PHASE(extrapolate_walls),
+                                            SCARP_PHASE(sweep_force),
+                                            SCARP_PHASE(kick_half),
+                                            SCARP_PHASE(hold_off_faces),
+                                            SCARP_PHASE(sample_energy),
+                                            SCARP_PHASE(watch),
+                                            SCARP_PHASE(end_step)};
 #undef SCARP_PHASE
 
 std::span<const Phase> phases_of(Integrator integrator) {
@@ -192,6 +206,11 @@ std::vector<double> Simulation::wall_positions() const {
       out.push_back(axis[k]);
   }
   return out;
+}
+
+void Simulation::require_sound() const {
+  if (const std::optional<Instability> found = inspect(impl_->state))
+    throw SimulationInstability(*found);
 }
 
 EnergyBalance Simulation::energy() const { return energy_balance(impl_->state); }

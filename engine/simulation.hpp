@@ -128,6 +128,8 @@ class Simulation {
   std::vector<double> field(std::string_view name) const;
   std::vector<double> wall_positions() const;  ///< 3 per dummy particle
 
+  /// Looks at the present state as `step()` does every 50 steps. Errors: SimulationInstability.
+  void require_sound() const;
   EnergyBalance energy() const;
   std::vector<WallReaction> wall_reactions() const;
   ProbeSample probe(std::size_t index) const;

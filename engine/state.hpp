@@ -63,6 +63,7 @@ struct StageClock {
   double calm_since = -1.0;  ///< stage time since when the soil has been slower than rest_velocity
   double damping = 0.0;      ///< c_d in force
   double rest_window = 0.0;  ///< how long calm must last
+  double start_speed = 0.0;  ///< fastest particle or wall when the stage began [m/s]
 };
 
 /// Place in the integrator's cycle.

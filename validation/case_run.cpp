@@ -141,7 +141,7 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
     } while (!simulation.stage_ended());
   } catch (const SimulationInstability& instability) {
     book();
-    if (writer != nullptr) writer->finish(simulation, now_s() - start, instability.what());
+    if (writer != nullptr) writer->finish(simulation, now_s() - start, instability);
     throw;
   }
   book();

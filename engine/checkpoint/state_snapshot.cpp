@@ -77,6 +77,7 @@ void exchange(Archive& a, AnyState& state) {
   a.number("stage/calm_since", "s", state.stage.calm_since);
   a.number("stage/damping", "1/s", state.stage.damping);
   a.number("stage/rest_window", "s", state.stage.rest_window);
+  a.number("stage/start_speed", "m/s", state.stage.start_speed);
   a.integer("lists/valid", state.lists_valid);
   a.integer("lists/rebuilds", state.rebuilds);
   a.number("lists/walls_moved", "m", state.walls_moved);

@@ -56,6 +56,8 @@ int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options
     finish();
     fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
                writer.frame_count(), writer.folder().string());
+    if (const auto good = checkpoints_in(writer.folder()); !good.empty())
+      fmt::print(stderr, "The last good state is {}.\n", good.front().string());
     throw;
   } catch (const FileError&) {
     progress.end();

@@ -92,6 +92,7 @@ std::string CheckpointWriter::after_step(const Simulation& simulation) {
 }
 
 void CheckpointWriter::write(const Simulation& simulation) {
+  simulation.require_sound();
   const fs::path folder = folder_of(outputs_.folder());
   std::error_code error;
   fs::create_directory(folder, error);

@@ -50,6 +50,13 @@ Json json_of(const Numerics& n) {
           {"cfl", n.cfl}};
 }
 
+Json json_of(const Instability& what) {
+  return {{"step", what.step},         {"time_s", what.time},       {"stage", what.stage},
+          {"particle", what.particle}, {"position", what.position}, {"field", what.field},
+          {"unit", what.unit},         {"value", what.value},       {"limit", what.limit},
+          {"cause", what.cause},       {"advice", what.advice}};
+}
+
 double norm(const double* v) { return std::hypot(v[0], v[1], v[2]); }
 
 Json verdict(const RunResults& results) {
@@ -123,6 +130,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"pass", verdict(results)},
             {"complete", results.failure.empty()},
             {"failure", results.failure.empty() ? Json() : Json(results.failure)},
+            {"instability", results.instability ? json_of(*results.instability) : Json()},
             {"preset", scene.numerics.preset},
             {"precision", precision_name(scene.numerics.precision)},
             {"isa", simulation.isa()},

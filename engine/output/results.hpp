@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/errors.hpp"
 #include "engine/simulation.hpp"
 
 namespace scarp {
@@ -45,7 +46,8 @@ struct RunResults {
   double wall_seconds = 0.0;
   std::vector<StageResult> stages;
   std::vector<Measure> measures;
-  std::string failure;  ///< why the run did not reach its end; empty if it did
+  std::string failure;                     ///< why the run did not reach its end; empty if it did
+  std::optional<Instability> instability = {};  ///< ... if it became unstable
 };
 
 /// Writes results.json, version 1 (format documented in `engine/output/FORMATS.md`). "pass" is

@@ -158,7 +158,13 @@ void RunWriter::finish(const Simulation& simulation, double wall_seconds,
   write_row(simulation);
   write_results(folder_ / "results.json", simulation,
                 {case_name(simulation.scene(), folder_), seconds_before_ + wall_seconds, stages_,
-                 measures_ ? *measures_ : basic_measures(simulation), failure});
+                 measures_ ? *measures_ : basic_measures(simulation), failure, instability_});
+}
+
+void RunWriter::finish(const Simulation& simulation, double wall_seconds,
+                       const SimulationInstability& instability) {
+  instability_ = instability.what_happened();
+  finish(simulation, wall_seconds, std::string(instability.what()));
 }
 
 void RunWriter::write_frame(const Simulation& simulation, std::string_view event) {
@@ -190,7 +196,7 @@ double run(Simulation& simulation, RunWriter* writer,
     }
   } catch (const SimulationInstability& instability) {
     try {
-      if (writer) writer->finish(simulation, seconds(), instability.what());
+      if (writer) writer->finish(simulation, seconds(), instability);
     } catch (const FileError& error) {
       throw SimulationInstability(fmt::format("{}\nThe last state could not be written: {}",
                                               instability.what(), error.what()));

@@ -38,6 +38,10 @@ class RunWriter {
   /// did not reach its end. Errors: FileError.
   void finish(const Simulation& simulation, double wall_seconds, const std::string& failure = {});
 
+  /// The same for a run that became unstable.
+  void finish(const Simulation& simulation, double wall_seconds,
+              const SimulationInstability& instability);
+
   /// Replaces the basic measures that `finish` writes (a validation case has its own).
   void set_measures(std::vector<Measure> measures) { measures_ = std::move(measures); }
 
@@ -57,6 +61,7 @@ class RunWriter {
   ProbeWriter histories_;
   std::vector<StageResult> stages_;
   std::optional<std::vector<Measure>> measures_;
+  std::optional<Instability> instability_;
   std::size_t stage_ = 0;
   double frame_interval_ = 0.0, row_interval_ = 0.0;  ///< [s]; infinite: none between start and end
   double next_frame_ = 0.0, next_row_ = 0.0;          ///< in stage time [s]

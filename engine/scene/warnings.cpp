@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/boundary/wall_gaps.hpp"
 #include "kernels/constitutive/list.hpp"
 
 namespace scarp {
@@ -109,6 +110,14 @@ std::vector<std::string> warnings(const Scene& scene) {
   std::vector<std::string> found;
   for (const Material& material : scene.materials) check_cone(scene, material, found);
   check_settlement(scene, found);
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const auto of_it = [m](const Body& body) { return body.material == m; };
+    if (std::none_of(scene.bodies.begin(), scene.bodies.end(), of_it)) {
+      found.push_back(
+          fmt::format("material '{}': no body is made of it.", scene.materials[m].name));
+    }
+  }
+  for (std::string& gap : wall_gaps(scene)) found.push_back(std::move(gap));
   if (scene.numerics.plasticity == Plasticity::rate_corrected &&
       scene.numerics.integrator == Integrator::verlet) {
     found.emplace_back(

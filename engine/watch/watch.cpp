@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Bounds on speed, density, stress and energy.
+#include "engine/watch/watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/parallel.hpp"
+
+namespace scarp {
+namespace {
+
+/// The widest that the bounds of a scene may be (`density_minimum`, `density_maximum`).
+constexpr double least_density = 0.01, most_density = 10.0;
+
+/// Over the speeds that the soil has a reason for; hard grains hit by a heavy block leave with up
+/// to twice its speed.
+constexpr double speed_margin = 2.0;
+
+constexpr const char* too_long = "a time step too long for the stiffness, viscosity or load";
+constexpr const char* shorter =
+    "a smaller cfl, or `retry` under [run]; `scarp check --probe` tells "
+    "the margin";
+
+double sound_speed(const State& state) {
+  double fastest = 0.0;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    fastest = std::max(fastest, std::sqrt(state.scaling.wave_modulus[group.material] /
+                                          state.scene.materials[group.material].density));
+  }
+  return fastest;
+}
+
+double value_of(const State& state, Field field, int component, std::int64_t slot) {
+  const double* array = state.particles.component(field, component);
+  return array != nullptr ? array[slot] : 0.0;
+}
+
+double speed_of(const State& state, std::int64_t slot) {
+  return std::hypot(value_of(state, Field::velocity, 0, slot),
+                    value_of(state, Field::velocity, 1, slot),
+                    value_of(state, Field::velocity, 2, slot));
+}
+
+std::int64_t fastest_slot(const State& state) {
+  std::int64_t fastest = 0;
+  double most = -1.0;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      const double speed = speed_of(state, k);
+      if (speed <= most) continue;
+      most = speed;
+      fastest = k;
+    }
+  }
+  return fastest;
+}
+
+/// What waves, the start of the stage and its walls give a reason for.
+double allowed_speed(const State& state) {
+  return speed_margin * (sound_speed(state) + state.stage.start_speed);
+}
+
+/// Beyond the allowed speed only what a particle has fallen explains more.
+std::optional<Instability> too_fast(const State& state) {
+  const std::int64_t slot = fastest_slot(state);
+  double fall = 0.0;  // g . u, since the last reset
+  for (int a = 0; a < state.scene.dimension; ++a) {
+    fall += state.scene.gravity[static_cast<std::size_t>(a)] *
+            (value_of(state, Field::position, a, slot) -
+             value_of(state, Field::reference_position, a, slot));
+  }
+  Instability found = at_particle(state, slot);
+  found.field = "speed";
+  found.unit = "m/s";
+  found.value = speed_of(state, slot);
+  found.limit = allowed_speed(state) + std::sqrt(2.0 * std::max(fall, 0.0));
+  if (found.value <= found.limit) return {};
+  found.cause = too_long;
+  found.advice = shorter;
+  return found;
+}
+
+struct Bad {
+  std::int64_t slot = -1;
+  bool stress = false;  ///< else density
+};
+
+Bad bad_particle(const State& state) {
+  const double* density = state.particles.component(Field::density);
+  const double* stress[6];
+  state.particles.components(Field::stress, stress);
+  const int stored = state.scene.dimension == 2 ? 4 : 6;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    const double reference = state.scene.materials[group.material].density;
+    const double least = least_density * reference, most = most_density * reference;
+    const auto look = [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+        if (!(density[k] >= least && density[k] <= most)) return Bad{k, false};
+        double sum = 0.0;
+        for (int c = 0; c < stored; ++c) sum += stress[c][k];
+        if (!std::isfinite(sum)) return Bad{k, true};
+      }
+      return Bad{};
+    };
+    const Bad bad = parallel_reduce(state.threads, group.count, particle_chunk, Bad{}, look,
+                                    [](Bad& total, const Bad& part) {
+                                      if (total.slot < 0) total = part;
+                                    });
+    if (bad.slot >= 0) return bad;
+  }
+  return {};
+}
+
+std::optional<Instability> out_of_bounds(const State& state) {
+  const Bad bad = bad_particle(state);
+  if (bad.slot < 0) return {};
+  if (bad.stress) return not_finite(state, bad.slot);
+  const auto group =
+      std::find_if(state.particles.groups().begin(), state.particles.groups().end(),
+                   [&](const ParticleGroup& g) { return bad.slot < g.padded_end(); });
+  const double reference = state.scene.materials[group->material].density;
+  Instability found = at_particle(state, bad.slot);
+  found.field = "density";
+  found.unit = "kg/m3";
+  found.value = value_of(state, Field::density, 0, bad.slot);
+  found.limit = (found.value > reference ? most_density : least_density) * reference;
+  found.cause = "soil torn apart or crushed: too soft for its load, or a time step too long";
+  found.advice =
+      "a stiffer soil, a smaller cfl, or gradient_correction = true, which bounds density";
+  return found;
+}
+
+/// Kinetic, potential and elastic energy may only fall in a stage whose walls rest. What they may
+/// exceed their start by is what the stage has had to spend: its start and what has fallen.
+std::optional<Instability> energy_from_nothing(const State& state) {
+  for (const Vec3& v : state.wall_velocity) {
+    if (v != Vec3{}) return {};
+  }
+  const EnergyBalance& start = state.ledger.start;
+  const EnergyBalance now = energy_balance(state);
+  const double gain = now.kinetic - start.kinetic + now.potential + now.elastic;
+  double mass = 0.0;
+  for (const ParticleGroup& group : state.particles.groups())
+    mass += static_cast<double>(group.count) * state.scaling.mass[group.material];
+  // Without weight, speed and stress round-off is all there is: a thousandth of the wave speed.
+  const double slow = 1e-3 * sound_speed(state);
+  const double spent =
+      start.kinetic + start.elastic + std::max(-now.potential, 0.0) + 0.5 * mass * slow * slow;
+  if (gain <= spent) return {};
+  Instability found = at_particle(state, fastest_slot(state));
+  found.field = "energy gained by all soil in the stage, whose fastest particle this is,";
+  found.unit = state.scene.dimension == 2 ? "J/m" : "J";
+  found.value = gain;
+  found.limit = spent;
+  found.cause = too_long;
+  found.advice = shorter;
+  return found;
+}
+
+}  // namespace
+
+Instability at_particle(const State& state, std::int64_t slot) {
+  Instability found;
+  found.step = state.report.step + 1;
+  found.time = state.report.time;
+  found.stage = state.scene.stages[state.stage.index].name;
+  found.particle = state.particles.ids()[static_cast<std::size_t>(slot)];
+  for (int a = 0; a < state.scene.dimension; ++a)
+    found.position[static_cast<std::size_t>(a)] = value_of(state, Field::position, a, slot);
+  return found;
+}
+
+Instability not_finite(const State& state, std::int64_t slot) {
+  Instability found = at_particle(state, slot);
+  found.limit = std::numeric_limits<double>::quiet_NaN();
+  struct Named {
+    Field field;
+    const char* name;
+    const char* unit;
+    int components;
+  };
+  for (const Named& one :
+       {Named{Field::density, "density", "kg/m3", 1}, Named{Field::velocity, "velocity", "m/s", 3},
+        Named{Field::stress, "stress", "Pa", 6},
+        Named{Field::acceleration, "acceleration", "m/s2", 3},
+        Named{Field::approach_rate, "approach rate", "m/s", 1}}) {
+    for (int c = 0; c < one.components; ++c) {
+      const double value = value_of(state, one.field, c, slot);
+      // The largest square that a step is chosen by is 1e300.
+      if (std::abs(value) < 1e150 && !(one.field == Field::density && value <= 0.0)) continue;
+      found.field = one.name;
+      found.unit = one.unit;
+      found.value = value;
+    }
+    if (!found.field.empty()) break;
+  }
+  found.cause =
+      "a time step too long for the stiffness, or particles that overlap or meet a gap "
+      "between walls";
+  found.advice = shorter;
+  return found;
+}
+
+std::optional<Instability> inspect(const State& state) {
+  if (auto found = out_of_bounds(state)) return found;
+  if (auto found = too_fast(state)) return found;
+  return energy_from_nothing(state);
+}
+
+void watch(State& state) {
+  std::optional<Instability> found;
+  if (state.report.max_velocity > allowed_speed(state)) found = too_fast(state);
+  if (!found && (state.report.step + 1) % steps_per_look == 0) found = inspect(state);
+  if (found) throw SimulationInstability(*found);
+}
+
+}  // namespace scarp

@@ -135,6 +135,7 @@ void end_step(State& state) {
     state.walls_moved += std::hypot(step[0], step[1], step[2]);
   }
   ++state.report.step;
+  ++state.limit_counts[static_cast<std::size_t>(state.report.limit)];
   state.report.time += dt;
   state.stage.time += dt;
   state.report.stage_time = state.stage.time;

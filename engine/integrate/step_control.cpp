@@ -22,7 +22,8 @@ void choose_time_step(State& state) {
   const StateExtremes extremes = find_extremes(state.threads, state.particles, state.scaling,
                                                state.scene.gravity, state.stage.damping);
   if (extremes.bad_slot >= 0) throw SimulationInstability(not_finite(state, extremes.bad_slot));
-  auto [dt, limit] = admissible_step(extremes, state.smoothing_length, numerics.cfl);
+  auto [dt, limit] = admissible_step(extremes, state.dissipation, state.smoothing_length,
+                                     numerics.cfl * state.clock.step_factor);
   StepClock& clock = state.clock;
   if (numerics.near_yield_limiter) {
     const double yields_at = time_to_first_yield(state, dt);
@@ -46,6 +47,7 @@ void choose_time_step(State& state) {
   state.report.limit = limit;
   state.report.time_step = dt;
   state.report.max_velocity = std::sqrt(extremes.speed_squared);
+  state.report.signal_material = extremes.signal_material;
 }
 
 }  // namespace scarp

@@ -146,6 +146,9 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"particle_steps_per_s",
              results.wall_seconds > 0.0 ? Json(particle_steps / results.wall_seconds) : Json()},
             {"memory_bytes", simulation.memory_bytes()},
+            {"step_limits", Json::object()},
+            {"signal_material", scene.materials[last.signal_material].name},
+            {"retries", Json::array()},
             {"measures", Json::array()},
             {"stages", Json::array()},
             {"profile", Json::array()},
@@ -154,6 +157,14 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
              {{"processor", processor_name()},
               {"hardware_threads", std::thread::hardware_concurrency()}}},
             {"versions", {{"scarp", program_version()}, {"compiler", __VERSION__}}}};
+  for (std::size_t k = 0; k < step_limit_names.size(); ++k)
+    json["step_limits"][step_limit_names[k]] = simulation.step_limit_counts()[k];
+  for (const Retry& retry : results.retries) {
+    json["retries"].push_back({{"step", retry.step},
+                               {"back_to", retry.back_to},
+                               {"step_factor", retry.step_factor},
+                               {"reason", retry.reason}});
+  }
   for (const Measure& measure : results.measures) json["measures"].push_back(json_of(measure));
   for (const PhaseTime& time : simulation.profile())
     json["profile"].push_back({{"phase", time.phase}, {"wall_s", time.seconds}});

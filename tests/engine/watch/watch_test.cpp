@@ -152,7 +152,9 @@ TEST(WatchTest, ALongFallIsNoInstability) {
   scene.stages = {stage_for("fall", 10.0)};
   Simulation simulation(scene, {1, {}});
   while (!simulation.finished()) simulation.step();
-  EXPECT_NEAR(simulation.last_step().max_velocity, 98.1, 0.1);
+  // Of the beginning of the last step; kick-drift-kick is exact, sums over 1e3 steps are not.
+  const StepReport& last = simulation.last_step();
+  EXPECT_NEAR(last.max_velocity, 9.81 * (10.0 - last.time_step), 1e-9);
 }
 
 TEST(HandledTest, ALoneGrainFallsFreely) {
@@ -173,8 +175,9 @@ TEST(HandledTest, TwoGrainsAtOnePlaceStayFinite) {
   for (const char* preset_name : {"paper", "modern"}) {
     Scene scene = small_slope(preset_name, 1.0, 1.0, 1.0);
     const Simulation start(scene, {1, {}});
+    const Snapshot sound = start.snapshot();
     Snapshot spoiled;
-    for (SnapshotItem item : start.snapshot().items()) {
+    for (SnapshotItem item : sound.items()) {
       if (item.name == "fields/position") {
         auto& x = std::get<std::vector<double>>(item.values);
         const std::size_t slots = item.shape[1];

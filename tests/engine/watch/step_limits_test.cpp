@@ -62,25 +62,37 @@ TEST(StepLimitTest, PresetsAreNotSlowedByTheirDissipation) {
   }
 }
 
+/// Where a free elastic block becomes unstable over the closed form.
+double measured_over_closed(const std::string& preset_name, Integrator integrator,
+                            bool correction) {
+  Scene scene = free_block(preset_name, integrator);
+  scene.numerics.artificial_stress = 0.0;
+  scene.numerics.gradient_correction = correction;
+  scene.numerics.cfl = 0.5;
+  const Simulation simulation(scene, {1, {}});
+  EXPECT_NEAR(simulation.acoustic_cfl_limit(),
+              acoustic_cfl_limit(scene.numerics, sums_of(scene.numerics, 2)), 1e-12);
+  MarginOptions options;
+  options.steps = 600;
+  options.most = 8.0;
+  const StabilityMargin margin = stability_margin(simulation, options);
+  return 0.5 * std::sqrt(margin.stable * margin.unstable) / simulation.acoustic_cfl_limit();
+}
+
 TEST(StepLimitTest, SoundBlowsUpWhereTheClosedFormSays) {
+  // The viscosity of the presets, a twentieth of the critical one, takes 5 % off; ten particles
+  // across hold no wave of just the worst length, and 600 steps want growth of a few per cent a
+  // step, which adds as much.
+  for (const char* name : {"paper", "modern"}) {
+    EXPECT_NEAR(measured_over_closed(name, Integrator::kick_drift_kick, false), 1.0, 0.1) << name;
+  }
+  // Corrected gradients are stiffer at a free surface; Verlet's forward steps and its lagging
+  // viscosity feed waves near the limit. The presets' own CFL numbers keep clear of all that.
   for (const char* name : {"paper", "modern"}) {
     for (const Integrator integrator : {Integrator::verlet, Integrator::kick_drift_kick}) {
-      Scene scene = free_block(name, integrator);
-      scene.numerics.viscosity_alpha = 0.0;
-      scene.numerics.artificial_stress = 0.0;
-      scene.numerics.cfl = 0.5;
-      const Simulation simulation(scene, {1, {}});
-      const double closed = simulation.acoustic_cfl_limit();
-      EXPECT_NEAR(closed, acoustic_cfl_limit(scene.numerics, sums_of(scene.numerics, 2)), 1e-12);
-      MarginOptions options;
-      options.steps = 600;
-      options.most = 8.0;
-      const StabilityMargin margin = stability_margin(simulation, options);
-      // Ten particles across hold no wave of just the worst length, and 600 steps want growth of a
-      // few per cent a step: the block may stand up to a tenth more. Free surfaces are corrected in
-      // the gradient and not in the force; what that costs is within the same tenth.
-      EXPECT_GT(0.5 * margin.unstable, 0.9 * closed) << name << static_cast<int>(integrator);
-      EXPECT_LT(0.5 * margin.stable, 1.1 * closed) << name << static_cast<int>(integrator);
+      const double over = measured_over_closed(name, integrator, true);
+      EXPECT_GT(over, 0.6) << name << static_cast<int>(integrator);
+      EXPECT_LT(over, 1.05) << name << static_cast<int>(integrator);
     }
   }
 }
@@ -109,6 +121,7 @@ TEST(StepLimitTest, TheStiffestMaterialSetsTheStep) {
   Scene scene = elastic_column("modern", 2.0, 0.1);
   const double alone = run_steps(scene, 1).last_step().time_step;
   scene.materials.push_back(elastic(1e4 * 10e6));
+  scene.materials.back().name = "stiff";
   scene.bodies = {{1, Box{{0, 0, 0}, {1, 1, 0}}, {}}, {0, Box{{0, 1, 0}, {1, 2, 0}}, {}}};
   const StepReport last = run_steps(scene, 1).last_step();
   EXPECT_EQ(last.signal_material, 1u);

@@ -37,6 +37,7 @@ if(TARGET scarp-validate)
   install(DIRECTORY validation/cases DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/validation
           ${scarp_share_patterns})
   install(FILES validation/report.py validation/overview.py validation/error_time/error_time_page.py
+          validation/stability/stability_page.py
           validation/bishop_figures.py validation/column_figures.py
           DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/validation)
 endif()

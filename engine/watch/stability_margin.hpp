@@ -19,10 +19,11 @@ struct StabilityMargin {
   double unstable = 0.0;  ///< the shortest that did not; 0: none up to `most`
 };
 
-/// Bisects the factor on the time step with copies of `start`, each shaken by 1e-4 of the sound
-/// speed. A trial is unstable when the watch stops it, or when it ends ten times as fast as
-/// one with half the scene's step, shake and weight accounted for: what yields may rattle without
-/// end. Limits: holds for the present state and so many steps, no more.
+/// Bisects the factor on the time step with copies of `start`, each shaken by 1e-6 of the sound
+/// speed. A trial is unstable when the watch stops it, or when it ends ten times as fast as the
+/// shake and as one with half the scene's step: yield bounds what elasticity would let grow.
+/// Limits: holds for the present state and so many steps; soil that falls or flows may gain speed
+/// for other reasons, by the factor on the step at most.
 StabilityMargin stability_margin(const Simulation& start, const MarginOptions& options = {});
 
 /// Speed of sound of the stiffest material of a scene, undisturbed [m/s].

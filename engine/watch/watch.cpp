@@ -18,7 +18,8 @@ constexpr double least_density = 0.01, most_density = 10.0;
 /// to twice its speed.
 constexpr double speed_margin = 2.0;
 
-constexpr const char* too_long = "a time step too long for the stiffness, viscosity or load";
+constexpr const char* too_long =
+    "a time step too long for the stiffness, or soil too soft for its load";
 constexpr const char* shorter =
     "a smaller cfl, or `retry` under [run]; `scarp check --probe` tells "
     "the margin";
@@ -37,10 +38,13 @@ double value_of(const State& state, Field field, int component, std::int64_t slo
   return array != nullptr ? array[slot] : 0.0;
 }
 
-double speed_of(const State& state, std::int64_t slot) {
-  return std::hypot(value_of(state, Field::velocity, 0, slot),
-                    value_of(state, Field::velocity, 1, slot),
-                    value_of(state, Field::velocity, 2, slot));
+double speed_squared(const State& state, std::int64_t slot) {
+  double square = 0.0;
+  for (int a = 0; a < state.scene.dimension; ++a) {
+    const double v = state.particles.component(Field::velocity, a)[slot];
+    square += v * v;
+  }
+  return square;
 }
 
 std::int64_t fastest_slot(const State& state) {
@@ -48,9 +52,9 @@ std::int64_t fastest_slot(const State& state) {
   double most = -1.0;
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::int64_t k = group.first; k < group.end(); ++k) {
-      const double speed = speed_of(state, k);
-      if (speed <= most) continue;
-      most = speed;
+      const double square = speed_squared(state, k);
+      if (square <= most) continue;
+      most = square;
       fastest = k;
     }
   }
@@ -74,7 +78,7 @@ std::optional<Instability> too_fast(const State& state) {
   Instability found = at_particle(state, slot);
   found.field = "speed";
   found.unit = "m/s";
-  found.value = speed_of(state, slot);
+  found.value = std::sqrt(speed_squared(state, slot));
   found.limit = allowed_speed(state) + std::sqrt(2.0 * std::max(fall, 0.0));
   if (found.value <= found.limit) return {};
   found.cause = too_long;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -103,6 +104,18 @@ std::vector<Measure> basic_measures(const Simulation& simulation) {
     mass += scene.materials[static_cast<std::size_t>(material)].density;
   }
   mass *= std::pow(scene.spacing, scene.dimension);
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  const std::vector<double> density = simulation.field("density"),
+                            material_of = simulation.field("material");
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const double ratio =
+        density[k] / scene.materials[static_cast<std::size_t>(material_of[k])].density;
+    least = std::fmin(least, ratio);
+    most = std::fmax(most, ratio);
+  }
+  // Without a critical state dilation has no end: here it shows.
+  report("least density over reference density", least, "-");
+  report("largest density over reference density", most, "-");
   report("mass", mass, plane ? "kg/m" : "kg");
   const EnergyBalance energy = simulation.energy();
   const char* joule = plane ? "J/m" : "J";

@@ -66,7 +66,7 @@ double allowed_speed(const State& state) {
   return speed_margin * (sound_speed(state) + state.stage.start_speed);
 }
 
-/// Beyond the allowed speed only what a particle has fallen explains more.
+/// Beyond the allowed speed only a fall explains more: its own, or that of soil which pushes it.
 std::optional<Instability> too_fast(const State& state) {
   const std::int64_t slot = fastest_slot(state);
   double fall = 0.0;  // g . u, since the last reset
@@ -79,61 +79,67 @@ std::optional<Instability> too_fast(const State& state) {
   found.field = "speed";
   found.unit = "m/s";
   found.value = std::sqrt(speed_squared(state, slot));
-  found.limit = allowed_speed(state) + std::sqrt(2.0 * std::max(fall, 0.0));
+  const Vec3& g = state.scene.gravity;
+  const double height = std::hypot(g[0], g[1], g[2]) * soil_height(state);
+  found.limit = allowed_speed(state) + std::sqrt(2.0 * (std::max(fall, 0.0) + height));
   if (found.value <= found.limit) return {};
   found.cause = too_long;
   found.advice = shorter;
   return found;
 }
 
-struct Bad {
-  std::int64_t slot = -1;
-  bool stress = false;  ///< else density
-};
-
-Bad bad_particle(const State& state) {
-  const double* density = state.particles.component(Field::density);
-  const double* stress[6];
-  state.particles.components(Field::stress, stress);
-  const int stored = state.scene.dimension == 2 ? 4 : 6;
+/// The first particle for which bad(material's reference density, slot) holds, or -1.
+template <class Bad>
+std::int64_t first_slot(const State& state, Bad&& bad) {
   for (const ParticleGroup& group : state.particles.groups()) {
     const double reference = state.scene.materials[group.material].density;
-    const double least = least_density * reference, most = most_density * reference;
     const auto look = [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
-        if (!(density[k] >= least && density[k] <= most)) return Bad{k, false};
-        double sum = 0.0;
-        for (int c = 0; c < stored; ++c) sum += stress[c][k];
-        if (!std::isfinite(sum)) return Bad{k, true};
+        if (bad(reference, k)) return k;
       }
-      return Bad{};
+      return std::int64_t{-1};
     };
-    const Bad bad = parallel_reduce(state.threads, group.count, particle_chunk, Bad{}, look,
-                                    [](Bad& total, const Bad& part) {
-                                      if (total.slot < 0) total = part;
-                                    });
-    if (bad.slot >= 0) return bad;
+    const std::int64_t slot = parallel_reduce(
+        state.threads, group.count, particle_chunk, std::int64_t{-1}, look,
+        [](std::int64_t& total, std::int64_t part) { total = total < 0 ? part : total; });
+    if (slot >= 0) return slot;
   }
-  return {};
+  return -1;
 }
 
-std::optional<Instability> out_of_bounds(const State& state) {
-  const Bad bad = bad_particle(state);
-  if (bad.slot < 0) return {};
-  if (bad.stress) return not_finite(state, bad.slot);
-  const auto group =
-      std::find_if(state.particles.groups().begin(), state.particles.groups().end(),
-                   [&](const ParticleGroup& g) { return bad.slot < g.padded_end(); });
+/// A density that is a number, but one that no soil has.
+std::optional<Instability> torn_or_crushed(const State& state) {
+  const double* density = state.particles.component(Field::density);
+  const std::int64_t slot = first_slot(state, [&](double reference, std::int64_t k) {
+    return density[k] < least_density * reference ||
+           (density[k] > most_density * reference && std::isfinite(density[k]));
+  });
+  if (slot < 0) return {};
+  const auto group = std::find_if(state.particles.groups().begin(), state.particles.groups().end(),
+                                  [&](const ParticleGroup& g) { return slot < g.padded_end(); });
   const double reference = state.scene.materials[group->material].density;
-  Instability found = at_particle(state, bad.slot);
+  Instability found = at_particle(state, slot);
   found.field = "density";
   found.unit = "kg/m3";
-  found.value = value_of(state, Field::density, 0, bad.slot);
+  found.value = density[slot];
   found.limit = (found.value > reference ? most_density : least_density) * reference;
   found.cause = "soil torn apart or crushed: too soft for its load, or a time step too long";
   found.advice =
       "a stiffer soil, a smaller cfl, or gradient_correction = true, which bounds density";
   return found;
+}
+
+std::optional<Instability> density_or_stress_not_finite(const State& state) {
+  const double *stress[6], *density = state.particles.component(Field::density);
+  state.particles.components(Field::stress, stress);
+  const int stored = state.scene.dimension == 2 ? 4 : 6;
+  const std::int64_t slot = first_slot(state, [&](double, std::int64_t k) {
+    double sum = density[k];
+    for (int c = 0; c < stored; ++c) sum += stress[c][k];
+    return !std::isfinite(sum);
+  });
+  if (slot < 0) return {};
+  return not_finite(state, slot);
 }
 
 /// Kinetic, potential and elastic energy may only fall in a stage whose walls rest. What they may
@@ -177,6 +183,7 @@ Instability at_particle(const State& state, std::int64_t slot) {
 }
 
 Instability not_finite(const State& state, std::int64_t slot) {
+  if (auto reason = torn_or_crushed(state)) return *reason;  // it spoils its neighbours
   Instability found = at_particle(state, slot);
   found.limit = std::numeric_limits<double>::quiet_NaN();
   struct Named {
@@ -208,7 +215,8 @@ Instability not_finite(const State& state, std::int64_t slot) {
 }
 
 std::optional<Instability> inspect(const State& state) {
-  if (auto found = out_of_bounds(state)) return found;
+  if (auto found = torn_or_crushed(state)) return found;
+  if (auto found = density_or_stress_not_finite(state)) return found;
   if (auto found = too_fast(state)) return found;
   return energy_from_nothing(state);
 }

@@ -129,20 +129,22 @@ std::string most_frequent(const StepLimitCounts& counts) {
   return step_limit_names[static_cast<std::size_t>(most - counts.begin())];
 }
 
+void find_margin(const Cell& cell, const Simulation& simulation, CellRecord& record) {
+  const double cfl = cell.scene.numerics.cfl;
+  MarginOptions wide;
+  wide.most = std::max(2.5, 1.5 / cfl);  // beyond the closed forms of both integrators
+  const StabilityMargin margin = stability_margin(simulation, wide);
+  record.stable_cfl = cfl * margin.stable;
+  if (margin.unstable > 0.0) record.unstable_cfl = cfl * margin.unstable;
+}
+
 void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& record) {
   Simulation simulation = start_of(cell, options);
   record.particles = static_cast<double>(simulation.soil_count());
-  while (simulation.scene().stages.size() > 1 && !simulation.stage_ended()) simulation.step();
-  if (cell.bisect) {
-    const double cfl = cell.scene.numerics.cfl;
-    MarginOptions wide;
-    wide.most = std::max(2.5, 1.5 / cfl);  // beyond the closed forms of both integrators
-    const StabilityMargin margin = stability_margin(simulation, wide);
-    record.stable_cfl = cfl * margin.stable;
-    if (margin.unstable > 0.0) record.unstable_cfl = cfl * margin.unstable;
-  }
   std::optional<Measures> measures;
   try {
+    while (simulation.scene().stages.size() > 1 && !simulation.stage_ended()) simulation.step();
+    if (cell.bisect) find_margin(cell, simulation, record);
     for (std::uint64_t k = 1; k <= cell.steps && !simulation.finished(); ++k) {
       simulation.step();
       if (!measures) measures.emplace(simulation);
@@ -185,9 +187,6 @@ CellRecord run_cell(const Cell& cell, const RunOptions& options) {
   CellRecord record;
   try {
     run_and_measure(cell, options, record);
-  } catch (const SimulationInstability& instability) {  // while it settles
-    record.verdict = Verdict::stopped;
-    record.reason = instability.what();
   } catch (const SceneError& error) {
     record.verdict = Verdict::refused;
     record.reason = error.what();

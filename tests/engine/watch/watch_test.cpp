@@ -39,7 +39,7 @@ void expect_found(const State& state, const std::string& field, double value) {
 TEST(WatchTest, SoundStateIsLetPass) { EXPECT_FALSE(inspect(resting_slope())); }
 
 TEST(WatchTest, DensityOutOfBoundsIsNamed) {
-  for (const double density : {-1.0, 0.0, 19.0, 21000.0}) {
+  for (const double density : {-1.0, 0.0, 19.0, 21000.0, std::nan("")}) {
     State state = resting_slope();
     state.particles.component(Field::density)[changed] = density;
     expect_found(state, "density", density);

@@ -17,6 +17,7 @@
 #include "engine/watch/watch.hpp"
 #include "kernels/constitutive/drucker_prager.hpp"
 #include "kernels/constitutive/yield_return.hpp"
+#include "validation/pressure_noise.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -158,6 +159,7 @@ void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& re
   record.steps = static_cast<double>(simulation.last_step().step);
   record.residual_velocity = simulation.last_step().max_velocity;
   record.lost = grains_behind_faces(simulation);
+  record.noise = pressure_noise(simulation);
   record.limit = most_frequent(simulation.step_limit_counts());
   if (record.verdict == Verdict::stopped) return;
   const auto& position = simulation.field("position");

@@ -287,6 +287,37 @@ void add_scale(Map& map) {
            {{"1 kg/m3", dense(1.0), true}, {"2*10^4 kg/m3", dense(2e4), true}});
 }
 
+/// After failure, under refinement.
+void add_noise(Map& map) {
+  const auto refined = [](double factor) {
+    return [factor](Cell& cell) {
+      cell.scene.spacing /= factor;
+      set_stages(cell.scene, 300.0 * factor);
+      cell.scene.stages[1].strength_reduction = 1.5;
+      cell.scene.stages[1].duration = 5.0;
+      cell.steps = 200000;
+    };
+  };
+  map.axis({"noise", "slope at SRF 1.5", slope_scene, false, 0.0},
+           {{"dx 1 m", refined(1), true}, {"dx 0.5 m", refined(2)}, {"dx 0.25 m", refined(4)}});
+  const Build column = [](const std::string& name) {
+    Scene scene = bed_scene(name, 4, 8, 0.4);
+    scene.materials = {soil(10e6, 0, 30)};
+    scene.walls = {wall_2d("ground", WallKind::no_slip, {line_2d(0, 0, 40, 0)}),
+                   wall_2d("back", WallKind::free_slip, {line_2d(0, 20, 0, 0)})};
+    scene.stages = {lasting("collapse", 5.0)};
+    return scene;
+  };
+  const auto finer = [](double factor) {
+    return [factor](Cell& cell) {
+      cell.scene.spacing /= factor;
+      cell.steps = 200000;
+    };
+  };
+  map.axis({"noise", "column after its collapse", column, false, 0.0},
+           {{"dx 0.4 m", finer(1), true}, {"dx 0.2 m", finer(2)}, {"dx 0.1 m", finer(4)}});
+}
+
 }  // namespace
 
 std::vector<Cell> stability_cells(bool short_form) {
@@ -296,6 +327,7 @@ std::vector<Cell> stability_cells(bool short_form) {
   add_loading(map);
   add_shape(map);
   add_scale(map);
+  add_noise(map);
   return map.take();
 }
 

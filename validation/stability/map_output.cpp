@@ -38,6 +38,7 @@ Json json_of(const CellRecord& r) {
           {"density_high", r.density_high},
           {"yield_overshoot", r.yield_overshoot},
           {"lost", r.lost},
+          {"noise", r.noise},
           {"residual_velocity", r.residual_velocity},
           {"particles", r.particles},
           {"steps", r.steps},
@@ -63,6 +64,7 @@ std::optional<CellRecord> record_of(const std::string& line) {
     r.density_high = number(json.at("density_high"));
     r.yield_overshoot = number(json.at("yield_overshoot"));
     r.lost = number(json.at("lost"));
+    r.noise = number(json.at("noise"));
     r.residual_velocity = number(json.at("residual_velocity"));
     r.particles = number(json.at("particles"));
     r.steps = number(json.at("steps"));
@@ -96,6 +98,7 @@ void write_csv(const std::filesystem::path& path, const std::vector<CellOutcome>
                        "density_high [-]",
                        "yield_overshoot [-]",
                        "lost",
+                       "noise [-]",
                        "residual_velocity [m/s]",
                        "particles",
                        "steps",
@@ -109,7 +112,8 @@ void write_csv(const std::filesystem::path& path, const std::vector<CellOutcome>
           << precision_name(cell.scene.numerics.precision) << word(r.verdict)
           << cell.scene.numerics.cfl << r.stable_cfl.value_or(none) << r.unstable_cfl.value_or(none)
           << r.limit << r.energy_gain << r.density_low << r.density_high << r.yield_overshoot
-          << r.lost << r.residual_velocity << r.particles << r.steps << r.wall_s << r.reason;
+          << r.lost << r.noise << r.residual_velocity << r.particles << r.steps << r.wall_s
+          << r.reason;
     table.end_row();
   }
 }
@@ -171,6 +175,15 @@ std::vector<std::string> map_sentences(const std::vector<CellOutcome>& outcomes)
         fmt::format("{}: the narrowest margin is {:.2g} times the CFL number in use, at {}.",
                     setting, least.first, least.second));
   }
+  std::map<std::string, std::string> noise;
+  for (const CellOutcome& one : outcomes) {
+    if (one.cell.group != "noise") continue;
+    std::string& series = noise[fmt::format("{}, {}", one.cell.axis, setting_of(one.cell))];
+    series += fmt::format("{}{} at {}", series.empty() ? "" : ", ",
+                          fmt::format("{:.3g}", one.record.noise), one.cell.value);
+  }
+  for (const auto& [name, series] : noise)
+    lines.push_back(fmt::format("Noise of the pressure, {}: {}.", name, series));
   std::string better;
   for (const auto& [cell, verdicts] : by_cell) {
     const auto modern = verdicts.find("modern"), paper = verdicts.find("paper");

@@ -39,7 +39,7 @@ struct Instability {
   std::uint64_t step = 0;
   double time = 0.0;  ///< [s]
   std::string stage;
-  std::int64_t particle = -1;        ///< permanent id; -1: the soil as a whole
+  std::int64_t particle = -1;        ///< permanent id
   std::array<double, 3> position{};  ///< of the particle [m]
   std::string field, unit;           ///< "density", "velocity", "energy", ...
   double value = 0.0, limit = 0.0;   ///< a limit of NaN: the value is not finite

@@ -9,16 +9,13 @@
 namespace scarp {
 
 std::string Instability::message() const {
-  const std::string who = particle < 0
-                              ? std::string("the soil")
-                              : fmt::format("particle {} at ({:.6g}, {:.6g}, {:.6g}) m", particle,
-                                            position[0], position[1], position[2]);
   const std::string bound = std::isnan(limit) ? std::string("is not finite")
                                               : fmt::format("is beyond {:.4g} {}", limit, unit);
   return fmt::format(
-      "step {} at {:.6g} s (stage '{}'): {}: {} = {:.4g} {} {}. Likely cause: {}. "
-      "Try {}.",
-      step, time, stage, who, field, value, unit, bound, cause, advice);
+      "step {} at {:.6g} s (stage '{}'): particle {} at ({:.6g}, {:.6g}, {:.6g}) m: {} = {:.4g} {} "
+      "{}. Likely cause: {}. Try {}.",
+      step, time, stage, particle, position[0], position[1], position[2], field, value, unit, bound,
+      cause, advice);
 }
 
 }  // namespace scarp

@@ -159,8 +159,8 @@ std::optional<Instability> energy_from_nothing(const State& state) {
   const double spent =
       start.kinetic + start.elastic + std::max(-now.potential, 0.0) + 0.5 * mass * slow * slow;
   if (gain <= spent) return {};
-  Instability found = at_particle(state, fastest_slot(state));
-  found.field = "energy gained by all soil in the stage, whose fastest particle this is,";
+  Instability found = at_particle(state, fastest_slot(state));  // the likeliest culprit
+  found.field = "energy gained by all soil";
   found.unit = state.scene.dimension == 2 ? "J/m" : "J";
   found.value = gain;
   found.limit = spent;

@@ -84,6 +84,18 @@ double grains_behind_faces(const Simulation& simulation) {
   return lost;
 }
 
+/// sqrt(g H) of the soil's present height.
+double falling_speed(const Simulation& simulation) {
+  const std::vector<double> position = simulation.field("position");
+  double low = position[1], high = low;
+  for (std::size_t k = 1; k < position.size(); k += 3) {
+    low = std::min(low, position[k]);
+    high = std::max(high, position[k]);
+  }
+  const Scene& scene = simulation.scene();
+  return std::sqrt(std::abs(scene.gravity[1]) * (high - low + scene.spacing));
+}
+
 class Measures {
  public:
   explicit Measures(const Simulation& simulation) : kinetic_start_(simulation.energy().kinetic) {}
@@ -173,13 +185,17 @@ void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& re
     record.verdict = Verdict::marginal;
     record.reason = fmt::format("stable up to CFL {:.3g}, {:g} in use", *record.stable_cfl,
                                 cell.scene.numerics.cfl);
+  } else if (cell.stands && record.residual_velocity > 1e-4 * falling_speed(simulation)) {
+    record.verdict = Verdict::restless;
+    record.reason = fmt::format("moves at {:.2g} m/s after {} steps", record.residual_velocity,
+                                simulation.last_step().step);
   }
 }
 
 }  // namespace
 
 const char* word(Verdict verdict) {
-  constexpr std::array words{"holds", "marginal", "stopped", "refused", "failed"};
+  constexpr std::array words{"holds", "restless", "marginal", "stopped", "refused", "failed"};
   return words[static_cast<std::size_t>(verdict)];
 }
 

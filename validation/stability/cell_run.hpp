@@ -10,10 +10,12 @@
 
 namespace scarp::validation {
 
-/// Holds: ran to its end, and is stable at the CFL number in use. Marginal: ran to its end, but a
-/// trial at that number is unstable. Stopped: the watch stopped it with its report. Refused: an
-/// error before the first step. Failed: grains lost or numbers not finite without a report.
-enum class Verdict { holds, marginal, stopped, refused, failed };
+/// Holds: ran to its end, and is stable at the CFL number in use. Restless: ran to its end, but
+/// what should stand moves faster than 1e-4 sqrt(g H) then, 1 mm/s at a height of 10 m. Marginal:
+/// ran to its end, but a trial at that number is unstable. Stopped: the watch stopped it with its
+/// report. Refused: an error before the first step. Failed: grains lost or numbers not finite
+/// without a report.
+enum class Verdict { holds, restless, marginal, stopped, refused, failed };
 const char* word(Verdict verdict);
 
 struct CellRecord {

@@ -29,6 +29,7 @@ class Map {
     bool bisect = false;
     double settle = 300.0;  ///< passages; 0: the scene's own stages
     bool mixed = false;     ///< with mixed precision too
+    bool stands = false;    ///< nothing should move in the end
   };
 
   void axis(const Axis& axis, const std::vector<Point>& points) {
@@ -46,6 +47,7 @@ class Map {
            Precision precision) {
     Cell cell{axis.group, axis.name, point.value, axis.base(preset_name)};
     cell.bisect = axis.bisect;
+    cell.stands = axis.stands;
     cell.scene.numerics.precision = precision;
     point.change(cell);
     if (axis.settle > 0.0) set_stages(cell.scene, axis.settle);
@@ -65,7 +67,7 @@ Change material(Material m) {
 }
 
 void add_stiffness(Map& map) {
-  const Map::Axis e{"stiffness", "E", slope_scene, true, 300.0, true};
+  const Map::Axis e{"stiffness", "E", slope_scene, true, 300.0, true, true};
   map.axis(e, {{"10 kPa", youngs(1e4), true},
                {"100 kPa", youngs(1e5)},
                {"1 MPa", youngs(1e6)},
@@ -75,10 +77,11 @@ void add_stiffness(Map& map) {
                {"10 GPa", youngs(1e10)},
                {"100 GPa", youngs(1e11), true}});
   const auto poisson = [](double nu) { return material(soil(100e6, 10e3, 20, 0, nu)); };
-  map.axis({"stiffness", "nu", slope_scene, true}, {{"0", poisson(0.0)},
-                                                    {"0.45", poisson(0.45)},
-                                                    {"0.49", poisson(0.49)},
-                                                    {"0.499", poisson(0.499), true}});
+  map.axis({"stiffness", "nu", slope_scene, true, 300.0, false, true},
+           {{"0", poisson(0.0)},
+            {"0.45", poisson(0.45)},
+            {"0.49", poisson(0.49)},
+            {"0.499", poisson(0.499), true}});
   // A layer of the other material under or above the soil.
   const auto layered = [](double youngs_below, double youngs_above) {
     return [=](Cell& cell) {
@@ -90,8 +93,9 @@ void add_stiffness(Map& map) {
     };
   };
   const Build bed = [](const std::string& name) { return bed_scene(name, 20, 6, 0.5); };
-  map.axis({"stiffness", "contrast", bed, true}, {{"10^4, stiff below", layered(1e10, 1e6), true},
-                                                  {"10^4, stiff above", layered(1e6, 1e10)}});
+  map.axis(
+      {"stiffness", "contrast", bed, true, 300.0, false, true},
+      {{"10^4, stiff below", layered(1e10, 1e6), true}, {"10^4, stiff above", layered(1e6, 1e10)}});
 }
 
 void add_strength(Map& map) {
@@ -137,7 +141,8 @@ void add_strength(Map& map) {
 void add_loading(Map& map) {
   const Build small = [](const std::string& name) { return bed_scene(name, 5, 4, 0.5); };
   const auto rest = [](std::uint64_t steps) { return [steps](Cell& cell) { cell.steps = steps; }; };
-  map.axis({"loading", "rest", small, false, 2000.0, true}, {{"10^6 steps", rest(1000000), true}});
+  map.axis({"loading", "rest", small, false, 2000.0, true, true},
+           {{"10^6 steps", rest(1000000), true}});
   const auto moving = [](double gap, double speed, bool dry) {
     return [=](Cell& cell) {
       Scene& scene = cell.scene;
@@ -193,11 +198,13 @@ void add_loading(Map& map) {
 void add_shape(Map& map) {
   const auto same = [](Cell&) {};
   const Build column = [](const std::string& name) { return bed_scene(name, 2, 40, 0.5); };
-  map.axis({"shape", "aspect ratio", column, true}, {{"20", same, true}});
+  map.axis({"shape", "aspect ratio", column, true, 300.0, false, true}, {{"20", same, true}});
   const Build layer = [](const std::string& name) { return bed_scene(name, 40, 0.5, 0.5); };
-  map.axis({"shape", "layer", layer, true}, {{"one particle thick", same, true}});
+  map.axis({"shape", "layer", layer, true, 300.0, false, true},
+           {{"one particle thick", same, true}});
   const Build lone = [](const std::string& name) { return bed_scene(name, 1, 1, 1); };
-  map.axis({"shape", "lone particle", lone}, {{"on a base", same, true}});
+  map.axis({"shape", "lone particle", lone, false, 300.0, false, true},
+           {{"on a base", same, true}});
   const Build bed = [](const std::string& name) { return bed_scene(name, 20, 5, 0.5); };
   map.axis({"shape", "coincident", bed},
            {{"two particles", [](Cell& cell) { cell.coincident = true; }, true}});
@@ -208,7 +215,7 @@ void add_shape(Map& map) {
   const auto ratio = [](double r) {
     return [r](Cell& cell) { cell.scene.numerics.smoothing_ratio = r; };
   };
-  map.axis({"shape", "h/dx", slope_scene, true},
+  map.axis({"shape", "h/dx", slope_scene, true, 300.0, false, true},
            {{"1.0", ratio(1.0), true}, {"1.5", ratio(1.5)}, {"2.0", ratio(2.0), true}});
   const Build wedge = [](const std::string& name) {
     Scene scene = bed_scene(name, 10, 4, 0.4);
@@ -242,7 +249,7 @@ void add_shape(Map& map) {
                   {line_2d(x, 0, x, 20), line_2d(x + thickness, 20, x + thickness, 0)}));
     };
   };
-  map.axis({"shape", "wall thickness", bed, true},
+  map.axis({"shape", "wall thickness", bed, true, 300.0, false, true},
            {{"1 dx", plate(0.5), true}, {"2 dx", plate(1.0)}, {"4 dx", plate(2.0)}});
 }
 
@@ -275,15 +282,15 @@ void add_scale(Map& map) {
       cell.scene.numerics.precision = precision;
     };
   };
-  map.axis({"scale", "size", slope_scene, true, 300.0, true},
+  map.axis({"scale", "size", slope_scene, true, 300.0, true, true},
            {{"1 cm box", sized(0.01 / 45, {0, 0, 0}), true},
             {"10 km valley", sized(1e4 / 45, {0, 0, 0}), true}});
-  map.axis({"scale", "place", slope_scene, true, 300.0, true},
+  map.axis({"scale", "place", slope_scene, true, 300.0, true, true},
            {{"10^6 m from the origin", sized(1.0, {1e6, -1e6, 0}), true}});
   const auto dense = [](double density) {
     return material(soil(100e6, 10e3, 20, 0, 0.3, density));
   };
-  map.axis({"scale", "density", slope_scene, true},
+  map.axis({"scale", "density", slope_scene, true, 300.0, false, true},
            {{"1 kg/m3", dense(1.0), true}, {"2*10^4 kg/m3", dense(2e4), true}});
 }
 

@@ -184,15 +184,18 @@ std::vector<std::string> map_sentences(const std::vector<CellOutcome>& outcomes)
   }
   for (const auto& [name, series] : noise)
     lines.push_back(fmt::format("Noise of the pressure, {}: {}.", name, series));
-  std::string better;
+  std::string better, worse;
   for (const auto& [cell, verdicts] : by_cell) {
     const auto modern = verdicts.find("modern"), paper = verdicts.find("paper");
     if (modern == verdicts.end() || paper == verdicts.end()) continue;
     if (modern->second == Verdict::holds && paper->second != Verdict::holds)
       better += (better.empty() ? "" : "; ") + cell;
+    if (paper->second == Verdict::holds && modern->second != Verdict::holds)
+      worse += (worse.empty() ? "" : "; ") + cell;
   }
-  lines.push_back("Holds with modern and not with paper: " + (better.empty() ? "none" : better) +
-                  ".");
+  const auto or_none = [](const std::string& list) { return list.empty() ? "none" : list; };
+  lines.push_back("Holds with modern and not with paper: " + or_none(better) + ".");
+  lines.push_back("Holds with paper and not with modern: " + or_none(worse) + ".");
   for (const CellOutcome& one : outcomes) {
     if (one.record.verdict == Verdict::holds) continue;
     lines.push_back(fmt::format("{}, {}: {}: {}", name_of(one.cell), setting_of(one.cell),

@@ -7,8 +7,10 @@ import pathlib
 import scarp_report as scarp
 
 plt = scarp.plt
-COLOUR = {"holds": "#2f9e6e", "marginal": "#e6a700", "stopped": "#5f7fbf", "refused": "#b0b0b0", "failed": "#c8321e"}
+COLOUR = {"holds": "#2f9e6e", "restless": "#a3c644",
+          "marginal": "#e6a700", "stopped": "#5f7fbf", "refused": "#b0b0b0", "failed": "#c8321e"}
 WORDS = {"holds": "runs, and is stable at the CFL number in use",
+         "restless": "runs, but what should stand still moves at the end",
          "marginal": "runs, but a shaken copy is unstable at the CFL number in use",
          "stopped": "stopped by the watch, with its report",
          "refused": "an error before the first step",

@@ -290,7 +290,7 @@ void add_scale(Map& map) {
   const auto dense = [](double density) {
     return material(soil(100e6, 10e3, 20, 0, 0.3, density));
   };
-  map.axis({"scale", "density", slope_scene, true, 300.0, false, true},
+  map.axis({"scale", "density", slope_scene, true},
            {{"1 kg/m3", dense(1.0), true}, {"2*10^4 kg/m3", dense(2e4), true}});
 }
 

@@ -37,7 +37,8 @@ if(TARGET scarp-validate)
   install(DIRECTORY validation/cases DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/validation
           ${scarp_share_patterns})
   install(FILES validation/report.py validation/overview.py validation/error_time/error_time_page.py
-          validation/bishop_figures.py validation/claims_table.py validation/column_figures.py validation/slope_figures.py
+          validation/stability/stability_page.py validation/bishop_figures.py validation/claims_table.py
+          validation/column_figures.py validation/slope_figures.py
           DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/validation)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

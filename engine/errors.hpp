@@ -2,6 +2,9 @@
 /// The typed exceptions of the library; nothing else is thrown on purpose, nothing is printed.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -31,11 +34,33 @@ class CheckpointError : public Error {
   using Error::Error;
 };
 
-/// A run that left the physical range; the message names step, particle, field, value, likely
-/// cause.
+/// What a run did that no soil can.
+struct Instability {
+  std::uint64_t step = 0;
+  double time = 0.0;  ///< [s]
+  std::string stage;
+  std::int64_t particle = -1;        ///< permanent id
+  std::array<double, 3> position{};  ///< of the particle [m]
+  std::string field, unit;           ///< "density", "velocity", "energy", ...
+  double value = 0.0, limit = 0.0;   ///< a limit of NaN: the value is not finite
+  std::string cause, advice;         ///< likely cause; what to try
+
+  std::string message() const;
+};
+
+/// A run that left the physical range; the message names step, time, particle, field, value, likely
+/// cause and what to try.
 class SimulationInstability : public Error {
  public:
   using Error::Error;
+  explicit SimulationInstability(Instability what)
+      : Error(what.message()), what_happened_(std::move(what)) {}
+
+  /// Empty where a caller of the library judged by rules of its own.
+  const std::optional<Instability>& what_happened() const { return what_happened_; }
+
+ private:
+  std::optional<Instability> what_happened_;
 };
 
 }  // namespace scarp

@@ -8,6 +8,7 @@
 
 #include "engine/boundary/wall_clearance.hpp"
 #include "engine/errors.hpp"
+#include "engine/integrate/lattice_sums.hpp"
 #include "engine/parallel.hpp"
 #include "engine/particles/generate.hpp"
 #include "engine/state.hpp"
@@ -20,24 +21,6 @@ namespace {
 
 const kernels::SmoothingForm& smoothing_form(const Numerics& numerics) {
   return kernels::smoothing_functions[static_cast<std::size_t>(numerics.smoothing)];
-}
-
-/// M of the undisturbed lattice: -1/d sum_j V r dW/dr. Equation: K2.
-double lattice_moment_of(const Numerics& numerics, int dimension) {
-  const kernels::SmoothingForm& form = smoothing_form(numerics);
-  const double ratio = 1.0 / numerics.smoothing_ratio;
-  const int reach = static_cast<int>(2.0 * numerics.smoothing_ratio) + 1;
-  const int depth = dimension == 3 ? reach : 0;
-  double sum = 0.0;
-  for (int x = -reach; x <= reach; ++x) {
-    for (int y = -reach; y <= reach; ++y) {
-      for (int z = -depth; z <= depth; ++z) {
-        const double q = ratio * std::sqrt(x * x + y * y + z * z);
-        if (q > 0.0) sum += q * form.slope(q);
-      }
-    }
-  }
-  return -sum * form.normalisation(dimension) * std::pow(ratio, dimension) / dimension;
 }
 
 bool is_plastic(const Material& material) { return material.model != kernels::LinearElastic::name; }
@@ -259,7 +242,10 @@ State make_state(Scene scene, const RunOptions& options) {
   const int dimension = state.scene.dimension;
   state.kernels = choose_kernels(state.scene, choose_table(options));
   state.smoothing_length = n.smoothing_ratio * state.scene.spacing;
-  state.lattice_moment = lattice_moment_of(n, dimension);
+  const LatticeSums sums = lattice_sums(smoothing_form(n), n.smoothing_ratio, dimension);
+  state.lattice_moment = sums.moment;
+  state.acoustic_cfl_limit = acoustic_cfl_limit(n, sums);
+  state.dissipation = dissipation_rates(n, sums, state.kernels.diffusion);
   state.particle_volume = std::pow(state.scene.spacing, dimension);
   state.scaling.inverse_smoothing_length = 1.0 / state.smoothing_length;
   state.scaling.gradient_factor = smoothing_form(n).normalisation(dimension) /

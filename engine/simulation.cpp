@@ -12,6 +12,7 @@
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
 #include "engine/state.hpp"
+#include "engine/watch/watch.hpp"
 
 namespace scarp {
 namespace {
@@ -24,24 +25,45 @@ struct Phase {
   Phase { #function, function }
 
 /// The step of each integrator, literally; an adapter may act between two phases.
-constexpr std::array verlet_phases{SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
-                                   SCARP_PHASE(sweep_all),          SCARP_PHASE(sample_energy),
-                                   SCARP_PHASE(choose_time_step),   SCARP_PHASE(advance_verlet),
-                                   SCARP_PHASE(hold_off_faces),     SCARP_PHASE(end_step)};
-constexpr std::array kick_drift_kick_phases{
-    SCARP_PHASE(choose_time_step),   SCARP_PHASE(kick_half),
-    SCARP_PHASE(hold_off_faces),     SCARP_PHASE(drift_half),
-    SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
-    SCARP_PHASE(sweep_gradient),     SCARP_PHASE(advance_stress),
-    SCARP_PHASE(drift_half),         SCARP_PHASE(refresh_neighbours),
-    SCARP_PHASE(extrapolate_walls),  SCARP_PHASE(sweep_force),
-    SCARP_PHASE(kick_half),          SCARP_PHASE(hold_off_faces),
-    SCARP_PHASE(sample_energy),      SCARP_PHASE(end_step)};
+constexpr std::array verlet_phases{SCARP_PHASE(refresh_neighbours),
+                                   SCARP_PHASE(extrapolate_walls),
+                                   SCARP_PHASE(sweep_all),
+                                   SCARP_PHASE(sample_energy),
+                                   SCARP_PHASE(choose_time_step),
+                                   SCARP_PHASE(advance_verlet),
+                                   SCARP_PHASE(hold_off_faces),
+                                   SCARP_PHASE(watch),
+                                   SCARP_PHASE(end_step)};
+constexpr std::array kick_drift_kick_phases{SCARP_PHASE(choose_time_step),
+                                            SCARP_PHASE(kick_half),
+                                            SCARP_PHASE(hold_off_faces),
+                                            SCARP_PHASE(drift_half),
+                                            SCARP_PHASE(refresh_neighbours),
+                                            SCARP_PHASE(extrapolate_walls),
+                                            SCARP_PHASE(sweep_gradient),
+                                            SCARP_PHASE(advance_stress),
+                                            SCARP_PHASE(drift_half),
+                                            SCARP_PHASE(refresh_neighbours),
+                                            SCARP_PHASE(extrapolate_walls),
+                                            SCARP_PHASE(sweep_force),
+                                            SCARP_PHASE(kick_half),
+                                            SCARP_PHASE(hold_off_faces),
+                                            SCARP_PHASE(sample_energy),
+                                            SCARP_PHASE(watch),
+                                            SCARP_PHASE(end_step)};
 #undef SCARP_PHASE
 
 std::span<const Phase> phases_of(Integrator integrator) {
   if (integrator == Integrator::verlet) return verlet_phases;
   return kick_drift_kick_phases;
+}
+
+/// Evenly spread over -1 to 1. Source: Steele, Lea and Flood (2014), splitmix64.
+double noise(std::uint64_t key) {
+  key = (key + 1) * 0x9E3779B97F4A7C15u;
+  key = (key ^ (key >> 30)) * 0xBF58476D1CE4E5B9u;
+  key = (key ^ (key >> 27)) * 0x94D049BB133111EBu;
+  return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-52 - 1.0;
 }
 
 }  // namespace
@@ -104,6 +126,22 @@ void Simulation::set_following_stages(std::vector<Stage> stages) {
   changed.stages.insert(changed.stages.end(), stages.begin(), stages.end());
   validate(changed);
   state.scene = std::move(changed);
+}
+
+void Simulation::set_step_factor(double factor) { impl_->state.clock.step_factor = factor; }
+double Simulation::step_factor() const { return impl_->state.clock.step_factor; }
+
+void Simulation::perturb(double speed) {
+  State& state = impl_->state;
+  const auto& ids = state.particles.ids();
+  for (int a = 0; a < state.scene.dimension; ++a) {
+    double* velocity = state.particles.component(Field::velocity, a);
+    for (std::size_t slot = 0; slot < ids.size(); ++slot) {
+      if (ids[slot] < 0) continue;
+      velocity[slot] += speed * noise(static_cast<std::uint64_t>(3 * ids[slot] + a));
+    }
+  }
+  state.clock.restart = true;
 }
 
 Simulation Simulation::clone() const {
@@ -194,6 +232,11 @@ std::vector<double> Simulation::wall_positions() const {
   return out;
 }
 
+void Simulation::require_sound() const {
+  if (const std::optional<Instability> found = inspect(impl_->state))
+    throw SimulationInstability(*found);
+}
+
 EnergyBalance Simulation::energy() const { return energy_balance(impl_->state); }
 std::vector<WallReaction> Simulation::wall_reactions() const {
   return scarp::wall_reactions(impl_->state);
@@ -222,6 +265,7 @@ ProbeSample Simulation::probe(std::size_t index) const {
 }
 
 double Simulation::smoothing_length() const { return impl_->state.smoothing_length; }
+double Simulation::acoustic_cfl_limit() const { return impl_->state.acoustic_cfl_limit; }
 double Simulation::lattice_moment() const { return impl_->state.lattice_moment; }
 std::string Simulation::isa() const { return impl_->state.kernels.table->name; }
 int Simulation::threads() const { return impl_->state.threads; }
@@ -232,6 +276,7 @@ std::size_t Simulation::memory_bytes() const {
 }
 std::uint64_t Simulation::rebuild_count() const { return impl_->state.rebuilds; }
 std::uint64_t Simulation::density_bound_count() const { return impl_->state.density_bounds; }
+const StepLimitCounts& Simulation::step_limit_counts() const { return impl_->state.limit_counts; }
 std::uint64_t Simulation::face_hold_count() const { return impl_->state.holds; }
 std::vector<PhaseTime> Simulation::profile() const {
   std::vector<PhaseTime> times;

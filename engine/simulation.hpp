@@ -2,6 +2,7 @@
 /// Public entry of the library: a scene becomes particles, `step()` advances them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,8 +21,26 @@ struct RunOptions {
   std::string isa;  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
 };
 
-/// Which bound set the last time step (Eq. 30).
-enum class StepLimit { courant, force, growth, stage_end, near_yield };
+/// Which bound set a time step (THEORY.md section 10): sound in the stiffest soil, approach faster
+/// than that sound, acceleration, artificial viscosity, stress diffusion; or the rate at which
+/// steps may grow, the end of the stage, soil about to yield.
+enum class StepLimit {
+  acoustic,
+  approach,
+  force,
+  viscous,
+  diffusion,
+  growth,
+  stage_end,
+  near_yield
+};
+inline constexpr std::array step_limit_names{"acoustic",  "approach", "force",     "viscous",
+                                             "diffusion", "growth",   "stage_end", "near_yield"};
+inline const char* name_of(StepLimit limit) {
+  return step_limit_names[static_cast<std::size_t>(limit)];
+}
+/// How many steps each limit has set.
+using StepLimitCounts = std::array<std::uint64_t, step_limit_names.size()>;
 
 /// What the last step did.
 struct StepReport {
@@ -29,8 +48,9 @@ struct StepReport {
   double time = 0.0;        ///< simulated time since the start [s]
   double stage_time = 0.0;  ///< since the start of the stage [s]
   double time_step = 0.0;   ///< [s]
-  StepLimit limit = StepLimit::courant;
-  double max_velocity = 0.0;  ///< of the soil [m/s]
+  StepLimit limit = StepLimit::acoustic;
+  double max_velocity = 0.0;        ///< of the soil [m/s]
+  std::size_t signal_material = 0;  ///< index of the material in which signals are fastest
 };
 
 /// Energies [J, per metre of thickness in 2D]; dissipated parts are 0 unless `Output::energy`.
@@ -108,6 +128,13 @@ class Simulation {
   void end_stage();
   /// Replaces the stages that follow the current one (a family of runs from one settled state).
   void set_following_stages(std::vector<Stage> stages);
+  /// Multiplies every time step from now on in place of the factor before; 1 at the start. A
+  /// snapshot holds it. Pre: above 0.
+  void set_step_factor(double factor);
+  double step_factor() const;
+  /// Adds to each velocity pseudo-random components within +-`speed` [m/s], by the particles' ids
+  /// alone: noise in which an instability can grow.
+  void perturb(double speed);
   /// An independent copy that goes on from here bit for bit.
   Simulation clone() const;
   /// The complete state, to be kept in a file (`engine/output/checkpoint_file.hpp`); taking one
@@ -128,18 +155,23 @@ class Simulation {
   std::vector<double> field(std::string_view name) const;
   std::vector<double> wall_positions() const;  ///< 3 per dummy particle
 
+  /// Looks at the present state as `step()` does every 50 steps. Errors: SimulationInstability.
+  void require_sound() const;
   EnergyBalance energy() const;
   std::vector<WallReaction> wall_reactions() const;
   ProbeSample probe(std::size_t index) const;
 
   double smoothing_length() const;
+  /// Largest CFL number for sound on the undisturbed lattice, in closed form (T1).
+  double acoustic_cfl_limit() const;
   double lattice_moment() const;  ///< M of the undisturbed lattice for this smoothing function
   std::string isa() const;        ///< the instruction set in use
   int threads() const;
   std::size_t memory_bytes() const;           ///< state, records and lists
   std::uint64_t rebuild_count() const;        ///< of the neighbour lists so far
   std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far
-  std::uint64_t face_hold_count() const;      ///< how often a grain was held off a no-slip face
+  const StepLimitCounts& step_limit_counts() const;
+  std::uint64_t face_hold_count() const;  ///< how often a grain was held off a no-slip face
   std::vector<UsedFeature> features() const;
   /// In order of the step; what a step does twice is one entry.
   std::vector<PhaseTime> profile() const;

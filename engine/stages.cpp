@@ -33,6 +33,24 @@ void reset(State& state) {
   }
 }
 
+/// Of particles and walls [m/s].
+double fastest(const State& state) {
+  double square = 0.0;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      double own = 0.0;
+      for (int a = 0; a < state.scene.dimension; ++a) {
+        const double v = state.particles.component(Field::velocity, a)[k];
+        own += v * v;
+      }
+      square = std::max(square, own);
+    }
+  }
+  double speed = std::sqrt(square);
+  for (const Vec3& v : state.wall_velocity) speed = std::max(speed, std::hypot(v[0], v[1], v[2]));
+  return speed;
+}
+
 void update_walls(State& state, const std::string& stage) {
   bool removed = false;
   for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
@@ -93,6 +111,7 @@ void enter_stage(State& state, std::size_t index) {
   const Vec3& g = state.scene.gravity;
   const double fall = std::sqrt(soil_height(state) / std::max(std::hypot(g[0], g[1], g[2]), 1e-12));
   state.stage.rest_window = state.stage.damping > 0.0 ? 4.0 * passage : fall;
+  state.stage.start_speed = fastest(state);
   state.clock.restart = true;
   state.clock.growth_base = 0.0;
   state.report.stage_time = 0.0;
@@ -116,6 +135,7 @@ void end_step(State& state) {
     state.walls_moved += std::hypot(step[0], step[1], step[2]);
   }
   ++state.report.step;
+  ++state.limit_counts[static_cast<std::size_t>(state.report.limit)];
   state.report.time += dt;
   state.stage.time += dt;
   state.report.stage_time = state.stage.time;

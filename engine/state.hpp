@@ -9,6 +9,7 @@
 #include "engine/boundary/mirror_images.hpp"
 #include "engine/boundary/walls.hpp"
 #include "engine/cells/cell_grid.hpp"
+#include "engine/integrate/time_step.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
 #include "engine/particles/particle_buffers.hpp"
 #include "engine/simulation.hpp"
@@ -63,6 +64,7 @@ struct StageClock {
   double calm_since = -1.0;  ///< stage time since when the soil has been slower than rest_velocity
   double damping = 0.0;      ///< c_d in force
   double rest_window = 0.0;  ///< how long calm must last
+  double start_speed = 0.0;  ///< fastest particle or wall when the stage began [m/s]
 };
 
 /// Place in the integrator's cycle.
@@ -72,6 +74,7 @@ struct StepClock {
   double growth_base = 0.0;         ///< last step before clipping to the end of a stage; 0: none
   int since_restart = 0;            ///< Verlet: steps since the last forward step
   bool restart = true;              ///< levels n-1 are not valid
+  double step_factor = 1.0;         ///< on what the limits allow
 };
 
 struct State {
@@ -81,6 +84,8 @@ struct State {
   double smoothing_length = 0.0;
   double lattice_moment = 1.0;
   double particle_volume = 0.0;  ///< dx^d
+  double acoustic_cfl_limit = 0.0;
+  DissipationRates dissipation;
 
   ParticleBuffers particles;
   RecordScaling scaling;
@@ -109,6 +114,7 @@ struct State {
   StepReport report;
   EnergyLedger ledger;
   std::uint64_t density_bounds = 0;
+  StepLimitCounts limit_counts{};
   std::uint64_t holds = 0;  ///< times a grain was held off a face
 };
 

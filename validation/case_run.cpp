@@ -15,6 +15,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/scene_reader.hpp"
+#include "engine/watch/stability_margin.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -25,17 +26,6 @@ double now_s() {
 
 /// Of all threads of this program.
 double cpu_now_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Speed of the compression wave in the stiffest material [m/s].
-double fastest_sound(const Scene& scene) {
-  double fastest = 0.0;
-  for (const Material& material : scene.materials) {
-    const double youngs = material.parameters[0], poisson = material.parameters[1];
-    const double modulus = youngs * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
-    fastest = std::max(fastest, std::sqrt(modulus / material.density));
-  }
-  return fastest;
-}
 
 /// Nothing that soil does is faster than sound in it.
 void demand_subsonic(const StepReport& last, double sound) {
@@ -137,7 +127,7 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
          static_cast<double>(simulation.memory_bytes())});
     progress.end();
   };
-  const double sound = fastest_sound(simulation.scene());
+  const double sound = sound_speed(simulation.scene());
   try {
     do {
       simulation.step();
@@ -148,7 +138,7 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
     } while (!simulation.stage_ended());
   } catch (const SimulationInstability& instability) {
     book();
-    if (writer != nullptr) writer->finish(simulation, now_s() - start, instability.what());
+    if (writer != nullptr) writer->finish(simulation, now_s() - start, instability);
     throw;
   }
   book();

@@ -16,6 +16,7 @@
 #include "validation/case_list.hpp"
 #include "validation/error_time/command.hpp"
 #include "validation/report.hpp"
+#include "validation/stability/command.hpp"
 
 namespace scarp::validation {
 
@@ -29,6 +30,7 @@ struct Arguments {
   bool short_form = false, full = false, forecast_only = false;
   std::string spacing, json, report_folder;
   ErrorTimeArguments error_time;
+  StabilityArguments stability;
 };
 
 nlohmann::ordered_json read_json(const std::filesystem::path& path) {
@@ -126,7 +128,8 @@ int report_command(const std::string& folder) {
   std::vector<std::filesystem::path> folders;
   const std::filesystem::path here = folder;
   const bool one = std::filesystem::exists(here / "results.json") ||
-                   std::filesystem::exists(here / "error_time.json");
+                   std::filesystem::exists(here / "error_time.json") ||
+                   std::filesystem::exists(here / "stability.json");
   if (one) {
     folders.push_back(here);
   } else {
@@ -143,6 +146,9 @@ int report_command(const std::string& folder) {
   }
   if (!one && std::filesystem::exists(here / "error_time" / "error_time.json")) {
     folders.push_back(here / "error_time");
+  }
+  if (!one && std::filesystem::exists(here / "stability" / "stability.json")) {
+    folders.push_back(here / "stability");
   }
   for (const auto& path : folders) fmt::print("{}\n", write_report(path));
   if (!one) write_overview(here);
@@ -169,6 +175,18 @@ void add_error_time(CLI::App& command, ErrorTimeArguments& arguments) {
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
   command.add_option("--json", arguments.json, "Write the sentences here, - for standard output");
   command.add_flag("-q,--quiet", arguments.options.quiet, "No progress");
+}
+
+void add_stability(CLI::App& command, StabilityArguments& arguments) {
+  command.add_option("--axis", arguments.axis, "Only axes and groups whose name holds this");
+  command.add_flag("--short", arguments.short_form, "Ends of the axes, few steps");
+  command.add_option("-o,--out", arguments.out, "Folder for stability/; default out");
+  command.add_option("--threads", arguments.run.threads, "Threads; 0 takes what OpenMP offers")
+      ->check(CLI::Range(0, 4096));
+  command.add_option("--isa", arguments.run.isa, "Instruction set: sse2, avx2, avx512")
+      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+  command.add_option("--json", arguments.json, "Write the map here, - for standard output");
+  command.add_flag("-q,--quiet", arguments.quiet, "No progress");
 }
 
 int run_program(int argc, char** argv) {
@@ -205,6 +223,12 @@ int run_program(int argc, char** argv) {
       "error-time", "Error against run time: settings tried, the front, what to take");
   add_error_time(*error_time, arguments.error_time);
 
+  CLI::App* stability = app.add_subcommand(
+      "stability",
+      "The map of extreme scenes: where the time step is stable, and what happens where "
+      "it is not");
+  add_stability(*stability, arguments.stability);
+
   CLI::App* report =
       app.add_subcommand("report", "Draw reports again: of a case, of all, of error-time");
   report
@@ -222,6 +246,7 @@ int run_program(int argc, char** argv) {
     return ok;
   }
   if (*error_time) return error_time_command(arguments.error_time);
+  if (*stability) return stability_command(arguments.stability);
   return *run ? run_command(arguments) : report_command(arguments.report_folder);
 }
 

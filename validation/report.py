@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws what scarp-validate left in a folder: `report.py DIR` makes DIR/report.html and its figures. DIR is the folder
-of a case, of several (cases.json names them), or of error against run time."""
+of a case, of several (cases.json names them), or of error against run time, or of the stability map."""
 
 import importlib.util
 import pathlib
@@ -9,7 +9,7 @@ import sys
 
 _here = pathlib.Path(__file__).resolve().parent
 for _place in (_here.parent / "engine" / "report", _here.parent / "report",  # in the sources, or installed
-               _here / "error_time"):
+               _here / "error_time", _here / "stability"):
     if _place.exists():
         sys.path.insert(0, str(_place))
 import scarp_report as scarp  # noqa: E402
@@ -17,6 +17,7 @@ import claims_table  # noqa: E402
 import error_time_page  # noqa: E402
 import numpy as np  # noqa: E402
 import overview  # noqa: E402
+import stability_page  # noqa: E402
 
 plt = scarp.plt
 
@@ -99,6 +100,8 @@ def report(folder):
 def main(folder):
     if (folder / "error_time.json").exists():
         error_time_page.error_time_page(folder)
+    elif (folder / "stability.json").exists():
+        stability_page.stability_page(folder)
     elif (folder / "results.json").exists():
         report(folder)
     else:

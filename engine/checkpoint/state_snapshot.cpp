@@ -66,9 +66,11 @@ void exchange(Archive& a, AnyState& state) {
   a.number("clock/growth_base", "s", state.clock.growth_base);
   a.integer("clock/since_restart", state.clock.since_restart);
   a.integer("clock/restart", state.clock.restart);
+  a.number("clock/step_factor", "", state.clock.step_factor);
   a.number("report/stage_time", "s", state.report.stage_time);
   a.number("report/time_step", "s", state.report.time_step);
   a.integer("report/limit", state.report.limit);
+  a.integer("report/signal_material", state.report.signal_material);
   a.number("report/max_velocity", "m/s", state.report.max_velocity);
   a.integer("stage/index", state.stage.index);
   a.integer("stage/started", state.stage.started);
@@ -77,11 +79,15 @@ void exchange(Archive& a, AnyState& state) {
   a.number("stage/calm_since", "s", state.stage.calm_since);
   a.number("stage/damping", "1/s", state.stage.damping);
   a.number("stage/rest_window", "s", state.stage.rest_window);
+  a.number("stage/start_speed", "m/s", state.stage.start_speed);
   a.integer("lists/valid", state.lists_valid);
   a.integer("lists/rebuilds", state.rebuilds);
   a.number("lists/walls_moved", "m", state.walls_moved);
   a.integer("counts/density_bounds", state.density_bounds);
   a.integer("counts/face_holds", state.holds);
+  for (std::size_t k = 0; k < step_limit_names.size(); ++k)
+    a.integer(fmt::format("counts/steps_by_{}", step_limit_names[k]).c_str(),
+              state.limit_counts[k]);
   auto& ledger = state.ledger;
   const auto powers = [&a](const char* const(&names)[5], const char* unit, auto& p) {
     a.number(names[0], unit, p.stress);

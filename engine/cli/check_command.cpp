@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/probe_check.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/trial.hpp"
 #include "engine/errors.hpp"
@@ -131,14 +132,18 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial) {
 
 }  // namespace
 
-int check_command(const SceneArguments& arguments) {
+int check_command(const CheckArguments& check) {
+  const SceneArguments& arguments = check.scene;
   Simulation simulation(load_scene(arguments), arguments.options);
   Json json = summary(simulation);
+  if (check.probe) json["probe"] = probe(simulation);
   const Trial trial = try_steps(simulation, 1.0);
   add_trial(json, trial, total_duration(simulation.scene()));
   if (arguments.json != "-") print(simulation, json, trial);
+  if (arguments.json != "-" && check.probe) print_probe(json["probe"]);
   if (!arguments.json.empty()) write_text(arguments.json, json.dump(2) + "\n");
-  return trial.failure.empty() ? ok : unstable;
+  const bool stable = !check.probe || json["probe"]["margin"]["stable"].get<double>() >= 1.0;
+  return trial.failure.empty() && stable ? ok : unstable;
 }
 
 }  // namespace scarp::cli

@@ -30,6 +30,11 @@ struct SceneArguments {
   RunOptions options;
 };
 
+struct CheckArguments {
+  SceneArguments scene;
+  bool probe = false;  ///< find out what sets the time step and how far it is from unstable
+};
+
 struct RunArguments {
   SceneArguments scene;
   std::string folder;  ///< empty: out/<stem of the scene file>
@@ -87,7 +92,7 @@ void write_text(const std::string& target, const std::string& text);
 
 int run_command(const RunArguments& arguments);
 int resume_command(const ResumeArguments& arguments);
-int check_command(const SceneArguments& arguments);
+int check_command(const CheckArguments& check);
 int converge_command(const ConvergeArguments& arguments);
 int fos_command(const FosArguments& arguments);
 int element_command(const ElementArguments& arguments);

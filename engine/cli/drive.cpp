@@ -10,6 +10,7 @@
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_writer.hpp"
+#include "engine/output/recovery.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -24,23 +25,25 @@ void say_how_to_go_on(const RunWriter& writer) {
 
 int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options) {
   CheckpointWriter checkpoints(simulation, writer);
+  Recovery recovery(simulation, writer);
   Progress progress(total_duration(simulation.scene()), options.quiet);
   catch_interrupts();
-  const auto warn = [&progress](const std::string& warning) {
-    if (warning.empty()) return;
+  const auto say = [&progress](const std::string& words) {
+    if (words.empty()) return;
     progress.end();
-    fmt::print(stderr, "warning: {}\n", warning);
+    fmt::print(stderr, "warning: {}\n", words);
   };
   const auto after_step = [&](const Simulation& now) {
     progress.update(now);
     if (!stop_requested() || now.finished()) {
-      warn(checkpoints.after_step(now));
+      recovery.after_step(now, writer);
+      say(checkpoints.after_step(now));
       return true;
     }
     try {
       checkpoints.write(now);
     } catch (const FileError& error) {
-      warn(fmt::format("no checkpoint of the last step: {}", error.what()));
+      say(fmt::format("no checkpoint of the last step: {}", error.what()));
     }
     return false;
   };
@@ -50,17 +53,27 @@ int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options
       write_text(options.json, read_text(writer.folder() / "results.json"));
   };
   double wall_seconds = 0.0;
-  try {
-    wall_seconds = run(simulation, &writer, after_step);
-  } catch (const SimulationInstability&) {
-    finish();
-    fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
-               writer.frame_count(), writer.folder().string());
-    throw;
-  } catch (const FileError&) {
-    progress.end();
-    say_how_to_go_on(writer);
-    throw;
+  for (bool again = true; again;) {
+    again = false;
+    try {
+      wall_seconds += run(simulation, &writer, after_step);
+    } catch (const SimulationInstability& instability) {
+      if (const auto retry = recovery.go_back(simulation, writer, instability)) {
+        say(*retry);
+        again = true;
+        continue;
+      }
+      finish();
+      fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
+                 writer.frame_count(), writer.folder().string());
+      if (const auto good = checkpoints_in(writer.folder()); !good.empty())
+        fmt::print(stderr, "The last good state is {}.\n", good.front().string());
+      throw;
+    } catch (const FileError&) {
+      progress.end();
+      say_how_to_go_on(writer);
+      throw;
+    }
   }
   finish();
   if (!options.quiet) {

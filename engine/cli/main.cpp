@@ -132,11 +132,13 @@ int run_program(int argc, char** argv) {
   ResumeArguments resume;
   CLI::App* resume_app = add_resume_command(app, resume);
 
-  SceneArguments check;
+  CheckArguments check;
   CLI::App* check_app = app.add_subcommand(
       "check", "Say what a scene is, uses, leaves out and needs, after a few trial steps");
-  add_scene_options(*check_app, check);
-  add_spacing_option(*check_app, check);
+  add_scene_options(*check_app, check.scene);
+  add_spacing_option(*check_app, check.scene);
+  check_app->add_flag("--probe", check.probe,
+                      "Find what sets the time step, and how far it is from unstable");
 
   ConvergeArguments converge;
   CLI::App* converge_app = app.add_subcommand(

@@ -84,12 +84,12 @@ std::string Progress::text(const Simulation& simulation, double elapsed, double 
   const std::size_t stage = simulation.stage_index();
   const double rate = static_cast<double>(simulation.soil_count()) *
                       static_cast<double>(report.step - steps_before_) / std::fmax(elapsed, 1e-9);
-  return fmt::format("{:3.0f} %  {:.4g} s  {}  step {}  {:.3g} M particle-steps/s  {} left",
-                     100.0 * fraction, report.time,
-                     stage < scene.stages.size() ? scene.stages[stage].name : "-", report.step,
-                     rate / 1e6,
-                     fraction > 0.0 ? readable_duration(elapsed * (1.0 - fraction) / fraction)
-                                    : std::string("unknown time"));
+  return fmt::format(
+      "{:3.0f} %  {:.4g} s  {}  step {} of {:.2g} s ({})  {:.3g} M particle-steps/s  {} left",
+      100.0 * fraction, report.time, stage < scene.stages.size() ? scene.stages[stage].name : "-",
+      report.step, report.time_step, name_of(report.limit), rate / 1e6,
+      fraction > 0.0 ? readable_duration(elapsed * (1.0 - fraction) / fraction)
+                     : std::string("unknown time"));
 }
 
 void Progress::end() {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "engine/errors.hpp"
 #include "engine/integrate/near_yield.hpp"
 #include "engine/integrate/time_step.hpp"
 #include "engine/state.hpp"
+#include "engine/watch/watch.hpp"
 
 namespace scarp {
 namespace {
@@ -16,34 +15,15 @@ namespace {
 /// A step may be longer than the one before by this factor at most: Verlet leaps over two steps.
 constexpr double largest_growth = 1.1;
 
-[[noreturn]] void throw_instability(const State& state, std::int64_t slot) {
-  const auto value = [&](Field field, int c) {
-    const double* array = state.particles.component(field, c);
-    return array != nullptr ? array[slot] : 0.0;
-  };
-  throw SimulationInstability(fmt::format(
-      "step {} at {:.6g} s (stage '{}'): particle {} has a value that is not finite: velocity "
-      "({:.4g}, {:.4g}, "
-      "{:.4g}) m/s, density {:.4g} kg/m3, stress_xx {:.4g} Pa, acceleration ({:.4g}, {:.4g}, "
-      "{:.4g}) m/s2. "
-      "Likely cause: a time step too long for the stiffness (try a smaller cfl), or particles that "
-      "overlap or "
-      "meet a gap between walls",
-      state.report.step + 1, state.report.time, state.scene.stages[state.stage.index].name,
-      state.particles.ids()[static_cast<std::size_t>(slot)], value(Field::velocity, 0),
-      value(Field::velocity, 1), value(Field::velocity, 2), value(Field::density, 0),
-      value(Field::stress, 0), value(Field::acceleration, 0), value(Field::acceleration, 1),
-      value(Field::acceleration, 2)));
-}
-
 }  // namespace
 
 void choose_time_step(State& state) {
   const Numerics& numerics = state.scene.numerics;
   const StateExtremes extremes = find_extremes(state.threads, state.particles, state.scaling,
                                                state.scene.gravity, state.stage.damping);
-  if (extremes.bad_slot >= 0) throw_instability(state, extremes.bad_slot);
-  auto [dt, limit] = admissible_step(extremes, state.smoothing_length, numerics.cfl);
+  if (extremes.bad_slot >= 0) throw SimulationInstability(not_finite(state, extremes.bad_slot));
+  auto [dt, limit] = admissible_step(extremes, state.dissipation, state.smoothing_length,
+                                     numerics.cfl * state.clock.step_factor);
   StepClock& clock = state.clock;
   if (numerics.near_yield_limiter) {
     const double yields_at = time_to_first_yield(state, dt);
@@ -67,6 +47,7 @@ void choose_time_step(State& state) {
   state.report.limit = limit;
   state.report.time_step = dt;
   state.report.max_velocity = std::sqrt(extremes.speed_squared);
+  state.report.signal_material = extremes.signal_material;
 }
 
 }  // namespace scarp

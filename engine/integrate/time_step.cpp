@@ -30,13 +30,14 @@ StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
           speed += v * v;
           force += f * f;
         }
-        const double signal =
-            std::sqrt(modulus / density[k]) + (approach != nullptr ? approach[k] : 0.0);
+        const double nearing = approach != nullptr ? approach[k] : 0.0;
+        const double signal = std::sqrt(modulus / density[k]) + nearing;
         // One sum catches NaN and infinity of every part.
         if (!(speed + force + signal < 1e300) && e.bad_slot < 0) e.bad_slot = k;
         e.speed_squared = std::max(e.speed_squared, speed);
         e.acceleration_squared = std::max(e.acceleration_squared, force);
         e.signal_speed = std::max(e.signal_speed, signal);
+        e.approach = std::max(e.approach, nearing);
       }
       return e;
     };
@@ -46,22 +47,37 @@ StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
           total.speed_squared = std::max(total.speed_squared, e.speed_squared);
           total.acceleration_squared = std::max(total.acceleration_squared, e.acceleration_squared);
           total.signal_speed = std::max(total.signal_speed, e.signal_speed);
+          total.approach = std::max(total.approach, e.approach);
           if (total.bad_slot < 0) total.bad_slot = e.bad_slot;
         });
     result.speed_squared = std::max(result.speed_squared, part.speed_squared);
     result.acceleration_squared = std::max(result.acceleration_squared, part.acceleration_squared);
-    result.signal_speed = std::max(result.signal_speed, part.signal_speed);
+    if (part.signal_speed > result.signal_speed) {
+      result.signal_speed = part.signal_speed;
+      result.signal_material = group.material;
+    }
+    result.approach = std::max(result.approach, part.approach);
     if (result.bad_slot < 0) result.bad_slot = part.bad_slot;
   }
   return result;
 }
 
-AdmissibleStep admissible_step(const StateExtremes& extremes, double smoothing_length, double cfl) {
-  const double courant = smoothing_length / extremes.signal_speed;
-  const double acceleration = std::sqrt(extremes.acceleration_squared);
-  const double force = acceleration > 0.0 ? std::sqrt(smoothing_length / acceleration) : courant;
-  return force < courant ? AdmissibleStep{cfl * force, StepLimit::force}
-                         : AdmissibleStep{cfl * courant, StepLimit::courant};
+AdmissibleStep admissible_step(const StateExtremes& extremes, const DissipationRates& rates,
+                               double smoothing_length, double cfl) {
+  const double signal = extremes.signal_speed,
+               acceleration = std::sqrt(extremes.acceleration_squared);
+  const bool sound = extremes.approach <= 0.5 * signal;
+  AdmissibleStep step{smoothing_length / signal, sound ? StepLimit::acoustic : StepLimit::approach};
+  const auto bound = [&step](double time_step, StepLimit limit) {
+    if (time_step < step.time_step) step = {time_step, limit};
+  };
+  if (acceleration > 0.0) bound(std::sqrt(smoothing_length / acceleration), StepLimit::force);
+  const double viscous = rates.viscous * signal + rates.viscous_approach * extremes.approach;
+  if (viscous > 0.0) bound(smoothing_length / viscous, StepLimit::viscous);
+  if (rates.diffusion > 0.0)
+    bound(smoothing_length / (rates.diffusion * signal), StepLimit::diffusion);
+  step.time_step *= cfl;
+  return step;
 }
 
 }  // namespace scarp

@@ -15,6 +15,8 @@ struct StateExtremes {
   double speed_squared = 0.0;         ///< [m2/s2]
   double acceleration_squared = 0.0;  ///< total, |f_a| of Eq. 30 squared [m2/s4]
   double signal_speed = 0.0;          ///< c_s + max_b(h v.r/r^2) of Eq. 30 [m/s]
+  double approach = 0.0;              ///< max_b(h v.r/r^2) alone [m/s]
+  std::size_t signal_material = 0;    ///< where the signal speed is largest
   std::int64_t bad_slot = -1;         ///< a particle with a value that is not finite, or -1
 };
 
@@ -22,11 +24,20 @@ struct StateExtremes {
 StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
                             const RecordScaling& scaling, const Vec3& gravity, double damping);
 
-/// Longest stable step for these extremes. Equation: E30.
+/// Rates at which dissipative terms damp the shortest wave of a lattice: (a c + b w)/h per second,
+/// with the signal speed c and the speed of approach w.
+struct DissipationRates {
+  double viscous = 0.0;           ///< a of the artificial viscosity
+  double viscous_approach = 0.0;  ///< b of its quadratic part
+  double diffusion = 0.0;         ///< a of the stress diffusion at its cap
+};
+
+/// Longest stable step for these extremes. Equation: E30; T1 for the dissipative terms.
 struct AdmissibleStep {
   double time_step;
   StepLimit limit;
 };
-AdmissibleStep admissible_step(const StateExtremes& extremes, double smoothing_length, double cfl);
+AdmissibleStep admissible_step(const StateExtremes& extremes, const DissipationRates& rates,
+                               double smoothing_length, double cfl);
 
 }  // namespace scarp

@@ -7,6 +7,7 @@
 #include "engine/cells/compact_clusters.hpp"
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
+#include "engine/watch/watch.hpp"
 
 namespace scarp {
 namespace {
@@ -61,6 +62,7 @@ void pack_images(State& state) {
 }
 
 void rebuild(State& state) {
+  if (state.lists_valid) watch_walls(state);
   if (state.rebuilds % rebuilds_per_sort == 0) {
     const std::vector<SlotRange> ranges = soil_ranges(state);
     build_soil_cells(state, ranges);

@@ -58,6 +58,12 @@ std::vector<fs::path> checkpoints_in(const fs::path& folder) {
   return files_of(folder, complete);
 }
 
+void remove_checkpoints_after(const fs::path& folder, std::uint64_t step) {
+  for (const fs::path& path : checkpoints_in(folder)) {
+    if (path.filename().string() > fmt::format("step_{:012}.h5", step)) remove_file(path);
+  }
+}
+
 void remove_checkpoints(const fs::path& folder) {
   static const std::regex ours(R"(step_\d{12}\.h5(\.part)?)");
   for (const fs::path& path : files_of(folder, ours)) remove_file(path);
@@ -92,6 +98,7 @@ std::string CheckpointWriter::after_step(const Simulation& simulation) {
 }
 
 void CheckpointWriter::write(const Simulation& simulation) {
+  simulation.require_sound();
   const fs::path folder = folder_of(outputs_.folder());
   std::error_code error;
   fs::create_directory(folder, error);

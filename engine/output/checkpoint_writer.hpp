@@ -15,6 +15,9 @@ namespace scarp {
 /// Checkpoints FOLDER/checkpoints/step_NNNNNNNNNNNN.h5, the newest first. Errors: FileError.
 std::vector<std::filesystem::path> checkpoints_in(const std::filesystem::path& folder);
 
+/// Removes checkpoints of later steps than this. Errors: FileError.
+void remove_checkpoints_after(const std::filesystem::path& folder, std::uint64_t step);
+
 /// Removes the checkpoints of an earlier run. Errors: FileError.
 void remove_checkpoints(const std::filesystem::path& folder);
 

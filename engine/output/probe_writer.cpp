@@ -88,22 +88,6 @@ CsvFile table(const std::filesystem::path& folder, const char* name, const Snaps
   return {path, static_cast<std::uintmax_t>(progress->integers(bytes_item(name), 1).front())};
 }
 
-const char* limit_name(StepLimit limit) {
-  switch (limit) {
-    case StepLimit::courant:
-      return "courant";
-    case StepLimit::force:
-      return "force";
-    case StepLimit::growth:
-      return "growth";
-    case StepLimit::stage_end:
-      return "stage_end";
-    case StepLimit::near_yield:
-      return "near_yield";
-  }
-  return "";
-}
-
 }  // namespace
 
 ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder)
@@ -141,7 +125,7 @@ void ProbeWriter::write(const Simulation& simulation) {
                                 ? scene.stages[simulation.stage_index()].name
                                 : std::string("-");
   history_ << report.time << stage << static_cast<double>(report.step) << report.time_step
-           << limit_name(report.limit) << report.max_velocity;
+           << name_of(report.limit) << report.max_velocity;
   history_.end_row();
   if (probes_) {
     *probes_ << report.time << stage;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -48,6 +49,13 @@ Json json_of(const Numerics& n) {
           {"integrator", integrator[static_cast<std::size_t>(n.integrator)]},
           {"verlet_restart_interval", n.verlet_restart_interval},
           {"cfl", n.cfl}};
+}
+
+Json json_of(const Instability& what) {
+  return {{"step", what.step},         {"time_s", what.time},       {"stage", what.stage},
+          {"particle", what.particle}, {"position", what.position}, {"field", what.field},
+          {"unit", what.unit},         {"value", what.value},       {"limit", what.limit},
+          {"cause", what.cause},       {"advice", what.advice}};
 }
 
 double norm(const double* v) { return std::hypot(v[0], v[1], v[2]); }
@@ -96,6 +104,18 @@ std::vector<Measure> basic_measures(const Simulation& simulation) {
     mass += scene.materials[static_cast<std::size_t>(material)].density;
   }
   mass *= std::pow(scene.spacing, scene.dimension);
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  const std::vector<double> density = simulation.field("density"),
+                            material_of = simulation.field("material");
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const double ratio =
+        density[k] / scene.materials[static_cast<std::size_t>(material_of[k])].density;
+    least = std::fmin(least, ratio);
+    most = std::fmax(most, ratio);
+  }
+  // Without a critical state dilation has no end: here it shows.
+  report("least density over reference density", least, "-");
+  report("largest density over reference density", most, "-");
   report("mass", mass, plane ? "kg/m" : "kg");
   const EnergyBalance energy = simulation.energy();
   const char* joule = plane ? "J/m" : "J";
@@ -123,6 +143,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"pass", verdict(results)},
             {"complete", results.failure.empty()},
             {"failure", results.failure.empty() ? Json() : Json(results.failure)},
+            {"instability", results.instability ? json_of(*results.instability) : Json()},
             {"preset", scene.numerics.preset},
             {"precision", precision_name(scene.numerics.precision)},
             {"isa", simulation.isa()},
@@ -138,6 +159,9 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"particle_steps_per_s",
              results.wall_seconds > 0.0 ? Json(particle_steps / results.wall_seconds) : Json()},
             {"memory_bytes", simulation.memory_bytes()},
+            {"step_limits", Json::object()},
+            {"signal_material", scene.materials[last.signal_material].name},
+            {"retries", Json::array()},
             {"measures", Json::array()},
             {"stages", Json::array()},
             {"profile", Json::array()},
@@ -146,6 +170,14 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
              {{"processor", processor_name()},
               {"hardware_threads", std::thread::hardware_concurrency()}}},
             {"versions", {{"scarp", program_version()}, {"compiler", __VERSION__}}}};
+  for (std::size_t k = 0; k < step_limit_names.size(); ++k)
+    json["step_limits"][step_limit_names[k]] = simulation.step_limit_counts()[k];
+  for (const Retry& retry : results.retries) {
+    json["retries"].push_back({{"step", retry.step},
+                               {"back_to", retry.back_to},
+                               {"step_factor", retry.step_factor},
+                               {"reason", retry.reason}});
+  }
   for (const Measure& measure : results.measures) json["measures"].push_back(json_of(measure));
   for (const PhaseTime& time : simulation.profile())
     json["profile"].push_back({{"phase", time.phase}, {"wall_s", time.seconds}});

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/errors.hpp"
 #include "engine/simulation.hpp"
 
 namespace scarp {
@@ -40,12 +41,22 @@ std::string program_version();
 /// mass, energies.
 std::vector<Measure> basic_measures(const Simulation& simulation);
 
+/// A run that became unstable went back and on with shorter steps.
+struct Retry {
+  std::uint64_t step = 0;     ///< when it was unstable
+  std::uint64_t back_to = 0;  ///< step it went on from
+  double step_factor = 1.0;   ///< on the time step from there on
+  std::string reason;
+};
+
 struct RunResults {
   std::string case_name;
   double wall_seconds = 0.0;
   std::vector<StageResult> stages;
   std::vector<Measure> measures;
   std::string failure;  ///< why the run did not reach its end; empty if it did
+  std::optional<Instability> instability = {};  ///< ... if it became unstable
+  std::vector<Retry> retries = {};
 };
 
 /// Writes results.json, version 1 (format documented in `engine/output/FORMATS.md`). "pass" is

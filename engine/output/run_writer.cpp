@@ -90,6 +90,16 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
     std::getline(names, name);
     stages_.push_back({name, times[k], static_cast<std::uint64_t>(steps[k]), rest[k] != 0});
   }
+  std::istringstream reasons(progress.text("outputs/retry_reasons"));
+  const std::vector<double>& factors = progress.numbers("outputs/retry_factors");
+  const std::vector<std::int64_t>& retried =
+      progress.integers("outputs/retry_steps", 2 * factors.size());
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    std::string reason;
+    std::getline(reasons, reason);
+    retries_.push_back({static_cast<std::uint64_t>(retried[2 * k]),
+                        static_cast<std::uint64_t>(retried[2 * k + 1]), factors[k], reason});
+  }
 }
 
 void RunWriter::add_progress(Snapshot& snapshot) {
@@ -101,9 +111,7 @@ void RunWriter::add_progress(Snapshot& snapshot) {
   };
   add_step("outputs/frame_step", frame_step_);
   add_step("outputs/row_step", row_step_);
-  const auto now = std::chrono::steady_clock::now();
-  snapshot.add("outputs/wall_seconds", "s",
-               {seconds_before_ + std::chrono::duration<double>(now - began_).count()});
+  snapshot.add("outputs/wall_seconds", "s", {seconds_so_far()});
   std::string names;
   std::vector<std::int64_t> steps, rest;
   std::vector<double> times;
@@ -117,6 +125,18 @@ void RunWriter::add_progress(Snapshot& snapshot) {
   snapshot.add("outputs/end_steps", std::move(steps));
   snapshot.add("outputs/reached_rest", std::move(rest));
   snapshot.add("outputs/end_times", "s", std::move(times));
+  std::string reasons;
+  std::vector<std::int64_t> retry_steps;
+  std::vector<double> factors;
+  for (const Retry& retry : retries_) {
+    reasons += retry.reason + '\n';
+    retry_steps.push_back(static_cast<std::int64_t>(retry.step));
+    retry_steps.push_back(static_cast<std::int64_t>(retry.back_to));
+    factors.push_back(retry.step_factor);
+  }
+  snapshot.add("outputs/retry_reasons", std::move(reasons));
+  snapshot.add("outputs/retry_steps", std::move(retry_steps));
+  snapshot.add("outputs/retry_factors", "", std::move(factors));
 }
 
 void RunWriter::enter_stage(const Simulation& simulation) {
@@ -156,9 +176,32 @@ void RunWriter::finish(const Simulation& simulation, double wall_seconds,
                        const std::string& failure) {
   write_frame(simulation, failure.empty() ? "last" : "stopped");
   write_row(simulation);
-  write_results(folder_ / "results.json", simulation,
-                {case_name(simulation.scene(), folder_), seconds_before_ + wall_seconds, stages_,
-                 measures_ ? *measures_ : basic_measures(simulation), failure});
+  write_results(
+      folder_ / "results.json", simulation,
+      {case_name(simulation.scene(), folder_), seconds_before_ + wall_seconds, stages_,
+       measures_ ? *measures_ : basic_measures(simulation), failure, instability_, retries_});
+}
+
+void RunWriter::go_back(const Simulation& simulation, const Snapshot& progress, Retry retry) {
+  std::vector<Retry> retries = std::move(retries_);
+  retries.push_back(std::move(retry));
+  std::optional<std::vector<Measure>> measures = std::move(measures_);
+  const double seconds = seconds_so_far();
+  *this = RunWriter(simulation, folder_, progress);
+  retries_ = std::move(retries);
+  measures_ = std::move(measures);
+  seconds_before_ = seconds;
+}
+
+double RunWriter::seconds_so_far() const {
+  return seconds_before_ +
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
+
+void RunWriter::finish(const Simulation& simulation, double wall_seconds,
+                       const SimulationInstability& instability) {
+  instability_ = instability.what_happened();
+  finish(simulation, wall_seconds, std::string(instability.what()));
 }
 
 void RunWriter::write_frame(const Simulation& simulation, std::string_view event) {
@@ -190,7 +233,7 @@ double run(Simulation& simulation, RunWriter* writer,
     }
   } catch (const SimulationInstability& instability) {
     try {
-      if (writer) writer->finish(simulation, seconds(), instability.what());
+      if (writer) writer->finish(simulation, seconds(), instability);
     } catch (const FileError& error) {
       throw SimulationInstability(fmt::format("{}\nThe last state could not be written: {}",
                                               instability.what(), error.what()));

@@ -38,6 +38,15 @@ class RunWriter {
   /// did not reach its end. Errors: FileError.
   void finish(const Simulation& simulation, double wall_seconds, const std::string& failure = {});
 
+  /// The same for a run that became unstable.
+  void finish(const Simulation& simulation, double wall_seconds,
+              const SimulationInstability& instability);
+
+  /// Takes back what was written since `progress` was a snapshot, and goes on from there with
+  /// `simulation`; the retry stands in the results. Errors: FileError.
+  void go_back(const Simulation& simulation, const Snapshot& progress, Retry retry);
+  const std::vector<Retry>& retries() const { return retries_; }
+
   /// Replaces the basic measures that `finish` writes (a validation case has its own).
   void set_measures(std::vector<Measure> measures) { measures_ = std::move(measures); }
 
@@ -49,6 +58,7 @@ class RunWriter {
 
  private:
   void enter_stage(const Simulation& simulation);
+  double seconds_so_far() const;  ///< wall time since the run began
   void write_frame(const Simulation& simulation, std::string_view event);
   void write_row(const Simulation& simulation);
 
@@ -57,6 +67,8 @@ class RunWriter {
   ProbeWriter histories_;
   std::vector<StageResult> stages_;
   std::optional<std::vector<Measure>> measures_;
+  std::optional<Instability> instability_;
+  std::vector<Retry> retries_;
   std::size_t stage_ = 0;
   double frame_interval_ = 0.0, row_interval_ = 0.0;  ///< [s]; infinite: none between start and end
   double next_frame_ = 0.0, next_row_ = 0.0;          ///< in stage time [s]

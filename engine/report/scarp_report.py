@@ -201,6 +201,20 @@ def facts_section(page, results):
         page.table(["", "value", "unit"], [[words, number(value), unit] for words, value, unit in rows])
 
 
+def step_limits_section(page, results):
+    """What the time step was set by, and how often the run went back."""
+    counts = {limit: n for limit, n in (results.get("step_limits") or {}).items() if n}
+    steps = sum(counts.values())
+    if counts:
+        page.text("Time step set by: " + ", ".join(
+            f"{limit.replace('_', ' ')} {100 * n / steps:.3g} %"
+            for limit, n in sorted(counts.items(), key=lambda item: -item[1]))
+            + f" of the steps; signals are fastest in “{results.get('signal_material')}”.")
+    for retry in results.get("retries") or []:
+        page.text(f"Unstable at step {retry['step']}: went back to step {retry['back_to']} and on with "
+                  f"{retry['step_factor']:g} of the time step. {retry['reason']}")
+
+
 def profile_section(page, results):
     """Where the run time went, largest first; what no phase took is output and set-up."""
     phases = results.get("profile")
@@ -229,6 +243,7 @@ def run_parts(page, folder, results, level=2):
     own_figures(page, folder, results)
     page.section("Run", level=level)
     facts_section(page, results)
+    step_limits_section(page, results)
     profile_section(page, results)
     page.section("Particles", level=level)
     particle_figures(page, folder, figures)

@@ -18,6 +18,8 @@ std::vector<Stage> read_stages(const std::vector<Value>& items);
 Probe read_probe(const Value& item, int dimension);
 Output read_output(const Value& section);
 Checkpoints read_checkpoints(const Value& section);
+/// Of [run].
+int read_retries(const Value& section);
 
 /// Two components in 2D, three in 3D; the third is 0 in 2D.
 Vec3 read_vector(const Value& value, kernels::Unit unit, int dimension);

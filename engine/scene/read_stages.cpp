@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The course of a run: [initial], [[stage]], [[probe]], [output].
+/// The course of a run: [initial], [[stage]], [[probe]], [output], [checkpoint], [run].
 #include <algorithm>
 
 #include "engine/scene/read_parts.hpp"
@@ -115,6 +115,11 @@ Checkpoints read_checkpoints(const Value& section) {
     checkpoints.stop_on_error = action->choice("continue|stop") == 1;
   }
   return checkpoints;
+}
+
+int read_retries(const Value& section) {
+  const auto retry = section.table({"retry"}).find("retry");
+  return retry ? retry->integer() : 0;
 }
 
 }  // namespace scarp::input

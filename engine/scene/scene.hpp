@@ -166,6 +166,7 @@ struct Scene {
   std::vector<Probe> probes;
   Output output;
   Checkpoints checkpoints;
+  int retries = 0;  ///< how often `scarp run` may go back and halve the time step
 };
 
 /// The rows of the named preset ("paper" or "modern"); throws SceneError for another name.

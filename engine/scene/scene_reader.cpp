@@ -83,7 +83,7 @@ Scene read_document(const Value& document, const std::string& name,
                     const SceneOverrides& overrides) {
   const Table root =
       document.table({"title", "dimension", "gravity", "spacing", "preset", "numerics", "material",
-                      "body", "wall", "initial", "stage", "probe", "output", "checkpoint"});
+                      "body", "wall", "initial", "stage", "probe", "output", "checkpoint", "run"});
   Scene scene;
   scene.file = name;
   if (const auto title = root.find("title")) scene.title = title->text();
@@ -126,6 +126,7 @@ Scene read_document(const Value& document, const std::string& name,
   if (const auto checkpoint = root.find("checkpoint")) {
     scene.checkpoints = input::read_checkpoints(*checkpoint);
   }
+  if (const auto run = root.find("run")) scene.retries = input::read_retries(*run);
   return scene;
 }
 

@@ -163,6 +163,7 @@ void validate(const Scene& scene) {
   inside(scene.output.probe_interval, 0.0, 1e9, "output.probes_every");
   inside(scene.checkpoints.interval, 0.0, 1e9, "checkpoint.every");
   inside(scene.checkpoints.wall_interval, 0.0, 1e9, "checkpoint.wall_every");
+  inside(scene.retries, 0, 20, "run.retry");
 }
 
 }  // namespace scarp

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/boundary/wall_gaps.hpp"
 #include "kernels/constitutive/list.hpp"
 
 namespace scarp {
@@ -76,6 +77,17 @@ void check_cone(const Scene& scene, const Material& material, std::vector<std::s
   }
 }
 
+bool has_body(const Scene& scene, std::size_t material) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [material](const Body& body) { return body.material == material; });
+}
+
+double constrained_modulus(const Material& material) {
+  // Both indices are 0 and 1 in every model: elasticity comes first.
+  const double e = material.parameters[0], nu = material.parameters[1];
+  return e * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+}
+
 /// Settlement under its own weight, gamma H / (2 M) of the height H; M is the constrained modulus.
 void check_settlement(const Scene& scene, std::vector<std::string>& found) {
   const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
@@ -90,9 +102,7 @@ void check_settlement(const Scene& scene, std::vector<std::string>& found) {
       range.take(own.high);
     }
     const Material& material = scene.materials[m];
-    // Both indices are 0 and 1 in every model: elasticity comes first.
-    const double e = material.parameters[0], nu = material.parameters[1];
-    const double modulus = e * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    const double e = material.parameters[0], modulus = constrained_modulus(material);
     const double height = range.high - range.low;
     const double share = material.density * std::abs(*steepest) * height / (2.0 * modulus);
     if (!(height > 0.0) || !(share > 0.1)) continue;
@@ -103,12 +113,47 @@ void check_settlement(const Scene& scene, std::vector<std::string>& found) {
   }
 }
 
+/// The stiffest material sets the step for all. Where it only carries, a hundred times the
+/// stiffness of the softest will do: under the same stress it strains a hundredth as much.
+void check_contrast(const Scene& scene, std::vector<std::string>& found) {
+  constexpr double much = 1000.0, enough = 100.0;
+  const Material *soft = nullptr, *fast = nullptr;
+  const auto sound = [](const Material& m) {
+    return std::sqrt(constrained_modulus(m) / m.density);
+  };
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (!has_body(scene, m)) continue;
+    const Material& material = scene.materials[m];
+    if (soft == nullptr || constrained_modulus(material) < constrained_modulus(*soft))
+      soft = &material;
+    if (fast == nullptr || sound(material) > sound(*fast)) fast = &material;
+  }
+  if (soft == nullptr) return;
+  const double contrast = constrained_modulus(*fast) / constrained_modulus(*soft);
+  if (contrast < much) return;
+  found.push_back(fmt::format(
+      "material '{}' makes the time step {:.3g} times shorter than '{}' needs. Where it only "
+      "carries, try youngs_modulus = {:.3g}: {:.2g} times fewer steps; under the same stress it "
+      "then "
+      "strains {:.0f} % as much as '{}', instead of {:.2g} %.",
+      fast->name, sound(*fast) / sound(*soft), soft->name, fast->parameters[0] * enough / contrast,
+      std::sqrt(contrast / enough), 100.0 / enough, soft->name, 100.0 / contrast));
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const Scene& scene) {
   std::vector<std::string> found;
   for (const Material& material : scene.materials) check_cone(scene, material, found);
   check_settlement(scene, found);
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (!has_body(scene, m)) {
+      found.push_back(
+          fmt::format("material '{}': no body is made of it.", scene.materials[m].name));
+    }
+  }
+  check_contrast(scene, found);
+  for (std::string& gap : wall_gaps(scene)) found.push_back(std::move(gap));
   if (scene.numerics.plasticity == Plasticity::rate_corrected &&
       scene.numerics.integrator == Integrator::verlet) {
     found.emplace_back(

@@ -70,6 +70,7 @@ Scene slope(const std::string& name) {
 Scene thrown(const std::string& name, Integrator integrator) {
   Scene scene = slope(name);
   scene.numerics.integrator = integrator;
+  if (integrator == Integrator::verlet) scene.numerics.cfl = 0.2;  // at 1 it blows up
   scene.bodies[0].velocity = {2.0, 0.5, 0.0};
   return scene;
 }

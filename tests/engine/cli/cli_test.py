@@ -135,6 +135,50 @@ class CliTest(unittest.TestCase):
         self.assertGreater(numbers["expected_steps"], 0)
         self.assertFalse((self.folder / "out").exists())
 
+    RECKLESS = COLUMN.replace('duration = "1 s"', 'duration = "5 s"') + """
+[numerics]
+integrator = "verlet"
+cfl = 1.5
+"""
+
+    def test_an_unstable_run_exits_3_and_says_what_happened(self):
+        (self.folder / "reckless.toml").write_text(self.RECKLESS)
+        done = self.scarp("run", "reckless.toml", "--quiet", "-o", "out")
+        self.assertEqual(done.returncode, 3)
+        for word in ("step ", "particle ", "Likely cause", "Try "):
+            self.assertIn(word, done.stderr)
+        results = json.loads((self.folder / "out" / "results.json").read_text())
+        self.assertFalse(results["complete"])
+        what = results["instability"]
+        self.assertGreater(what["step"], 0)
+        self.assertEqual(len(what["position"]), 3)
+
+    def test_retry_goes_back_and_comes_to_the_end(self):
+        (self.folder / "retry.toml").write_text(self.RECKLESS + "[run]\nretry = 3\n")
+        done = self.scarp("run", "retry.toml", "--quiet", "-o", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Retry 1 of 3: back to step", done.stderr)
+        results = json.loads((self.folder / "out" / "results.json").read_text())
+        self.assertTrue(results["complete"])
+        self.assertEqual(results["retries"][0]["step_factor"], 0.5)
+        self.assertIsNone(results["instability"])
+        self.assertEqual(sum(results["step_limits"].values()), results["steps"])
+
+    def test_probe_names_the_limit_and_the_margin(self):
+        (self.folder / "column.toml").write_text(COLUMN)
+        done = self.scarp("check", "column.toml", "--probe", "--json", "check.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("acoustic", "margin", "closed form", "forecast"):
+            self.assertIn(word, done.stdout)
+        probe = json.loads((self.folder / "check.json").read_text())["probe"]
+        self.assertEqual(probe["step_limits"]["acoustic"], 300)
+        self.assertGreater(probe["margin"]["stable"], 1.0)
+        self.assertLess(probe["margin"]["stable"], probe["acoustic_cfl_limit"])
+        (self.folder / "reckless.toml").write_text(self.RECKLESS)
+        done = self.scarp("check", "reckless.toml", "--probe")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("UNSTABLE at cfl = 1.5", done.stdout)
+
     def test_errors_of_the_scene_exit_1_and_name_it(self):
         (self.folder / "bad.toml").write_text(SCENE.replace("0.3", "0.7"))
         for scene in ("missing.toml", "bad.toml"):

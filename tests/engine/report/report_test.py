@@ -56,7 +56,7 @@ def write_run(folder, position, dimension=2, **results):
     (folder / "walls.csv").write_text("time [s],stage,base.force_x [N/m]\n0,settle,0\n2,fail,5\n")
     (folder / "energy.csv").write_text("time [s],stage,kinetic [J/m],wall [J/m]\n0,s,0,0\n2,s,5,0\n")
     (folder / "history.csv").write_text("time [s],stage,step,time_step [s],limit,max_velocity [m/s]\n"
-                                        "0,s,0,0,courant,0\n2,s,9,0.1,courant,1\n")
+                                        "0,s,0,0,acoustic,0\n2,s,9,0.1,acoustic,1\n")
     (folder / "results.json").write_text(json.dumps({"case": folder.name, "title": "Slope <1>", **results}))
 
 

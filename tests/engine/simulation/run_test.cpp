@@ -39,9 +39,11 @@ std::vector<Setting> settings() {
           preset_name + (integrator == Integrator::verlet ? "/verlet" : "/kick_drift_kick");
       Scene slope = small_slope(preset_name, 0.05, 10.0, 1.8);
       slope.numerics.integrator = integrator;
+      if (integrator == Integrator::verlet) slope.numerics.cfl = 0.2;  // at 1 it blows up
       all.push_back({"slope/" + label, slope, 250});
       Scene collapse = small_collapse(preset_name, 0.02, 10.0);
       collapse.numerics.integrator = integrator;
+      if (integrator == Integrator::verlet) collapse.numerics.cfl = 0.2;
       all.push_back({"collapse/" + label, collapse, 120});
     }
   }
@@ -148,24 +150,6 @@ TEST(UnusedTest, WhatASceneDoesNotUseIsNotStored) {
   EXPECT_TRUE(used(full, "stress diffusion"));
   EXPECT_FALSE(used(lean, "artificial stress"));
   EXPECT_TRUE(used(full, "artificial stress"));
-}
-
-TEST(InstabilityTest, AStepTooLongStopsWithAMessage) {
-  Scene scene = small_slope("paper", 100.0, 1.0, 1.0);
-  scene.numerics.cfl = 2.0;  // Verlet is unstable from about 1 on
-  scene.stages[0].damping = 0.0;
-  scene.materials = {elastic(100e6)};
-  scene.initial_stress = InitialStress::zero;
-  Simulation simulation(scene, {1, {}});
-  try {
-    for (int k = 0; k < 20000; ++k) simulation.step();
-    FAIL() << "ran on";
-  } catch (const SimulationInstability& error) {
-    const std::string message = error.what();
-    for (const char* word : {"step", "particle", "cfl", "density"}) {
-      EXPECT_NE(message.find(word), std::string::npos) << message;
-    }
-  }
 }
 
 TEST(ExtremeTest, ThePapersLiteralStiffnessSinksTheSlope) {

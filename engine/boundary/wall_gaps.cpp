@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Edges of facets against all other facets.
+#include "engine/boundary/wall_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "engine/boundary/facet_geometry.hpp"
+#include "engine/particles/shapes.hpp"
+
+namespace scarp {
+
+using namespace geometry;
+
+namespace {
+
+/// Points of the edges of a facet: its two ends in 2D, every spacing around it in 3D.
+std::vector<Vec3> edge_points(const Facet& facet, int dimension, double spacing) {
+  const auto at = [&facet](double u, double v) {
+    return plus(plus(facet.origin, u, facet.tangent_u), v, facet.tangent_v);
+  };
+  if (dimension == 2) return {at(0.0, 0.0), at(facet.length_u, 0.0)};
+  std::vector<Vec3> points;
+  const auto along = [&](double length, auto&& point) {
+    const int steps = static_cast<int>(std::clamp(std::ceil(length / spacing), 1.0, 1e5));
+    for (int k = 0; k <= steps; ++k) point(length * k / steps);
+  };
+  along(facet.length_u, [&](double u) {
+    points.push_back(at(u, 0.0));
+    points.push_back(at(u, facet.length_v));
+  });
+  along(facet.length_v, [&](double v) {
+    points.push_back(at(0.0, v));
+    points.push_back(at(facet.length_u, v));
+  });
+  return points;
+}
+
+struct Nearest {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec3 way{};
+  const Wall* wall = nullptr;
+};
+
+Nearest nearest_other(const Scene& scene, const Facet& facet, const Vec3& point) {
+  Nearest nearest;
+  for (const Wall& wall : scene.walls) {
+    for (const Facet& other : wall.facets) {
+      if (&other == &facet) continue;
+      const FacetCoordinates at = coordinates(other, scene.dimension, point);
+      const double distance = at.distance(other);
+      if (distance >= nearest.distance) continue;
+      const Vec3 foot =
+          plus(plus(other.origin, std::clamp(at.u, 0.0, other.length_u), other.tangent_u),
+               std::clamp(at.v, 0.0, other.length_v), other.tangent_v);
+      nearest = {distance, minus(foot, point), &wall};
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<std::string> wall_gaps(const Scene& scene) {
+  const double touching = 1e-6 * scene.spacing;
+  const double reach = 2.0 * scene.numerics.smoothing_ratio * scene.spacing;
+  constexpr double beside = 0.7;  // within 45 degrees of the facet's plane
+  std::vector<std::string> found;
+  for (const Wall& wall : scene.walls) {
+    for (const Facet& facet : wall.facets) {
+      for (const Vec3& point : edge_points(facet, scene.dimension, scene.spacing)) {
+        const Nearest other = nearest_other(scene, facet, point);
+        if (other.distance <= touching || other.distance > reach) continue;
+        if (std::abs(dot(other.way, facet.normal)) > beside * other.distance) continue;
+        found.push_back(fmt::format(
+            "wall '{}' ends at {}, {:.3g} m from wall '{}': soil can leak through the gap. Try to "
+            "let them meet.",
+            wall.name, point_text(point, scene.dimension), other.distance, other.wall->name));
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace scarp

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Finds grains that have passed a face from its soil side.
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "engine/boundary/facet_geometry.hpp"
+#include "engine/parallel.hpp"
+#include "engine/watch/watch.hpp"
+
+namespace scarp {
+
+using namespace geometry;
+
+namespace {
+
+struct Crossing {
+  std::int64_t slot = -1;
+  std::size_t wall = 0;
+  double depth = 0.0;
+};
+
+Vec3 point_of(const ParticleBuffers& particles, Field field, std::int64_t slot) {
+  Vec3 point{};
+  for (int a = 0; a < particles.dimension(); ++a)
+    point[static_cast<std::size_t>(a)] = particles.component(field, a)[slot];
+  return point;
+}
+
+/// Whether the way from `before` to `now`, both relative to the wall, passes the plane `lost`
+/// behind the face inside its footprint.
+bool passes(const Facet& facet, int dimension, const Vec3& before, const Vec3& now, double lost) {
+  const double end = coordinates(facet, dimension, now).depth;
+  if (!(end > lost)) return false;
+  const double start = coordinates(facet, dimension, before).depth;
+  if (start > lost) return false;
+  const Vec3 crossing = plus(before, (lost - start) / (end - start), minus(now, before));
+  return coordinates(facet, dimension, crossing).above(facet, 0.0);
+}
+
+Crossing first_crossing(const State& state) {
+  const double lost = lost_depth * state.scene.spacing;
+  const int dimension = state.scene.dimension;
+  const auto look = [&](std::int64_t begin, std::int64_t end) {
+    for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+      if (!state.wall_stands[w]) continue;
+      for (const Facet& facet : state.scene.walls[w].facets) {
+        for (std::int64_t k = begin; k < end; ++k) {
+          const Vec3 now =
+              minus(point_of(state.particles, Field::position, k), state.wall_offset[w]);
+          const Vec3 before = minus(point_of(state.particles, Field::build_position, k),
+                                    state.built_wall_offset[w]);
+          if (passes(facet, dimension, before, now, lost))
+            return Crossing{k, w, coordinates(facet, dimension, now).depth};
+        }
+      }
+    }
+    return Crossing{};
+  };
+  for (const ParticleGroup& group : state.particles.groups()) {
+    const Crossing found = parallel_reduce(
+        state.threads, group.count, particle_chunk, Crossing{},
+        [&](std::int64_t begin, std::int64_t end) {
+          return look(group.first + begin, group.first + end);
+        },
+        [](Crossing& total, const Crossing& part) {
+          if (total.slot < 0) total = part;
+        });
+    if (found.slot >= 0) return found;
+  }
+  return {};
+}
+
+}  // namespace
+
+void watch_walls(const State& state) {
+  const Crossing found = first_crossing(state);
+  if (found.slot < 0) return;
+  Instability lost = at_particle(state, found.slot);
+  lost.field = fmt::format("depth behind wall '{}'", state.scene.walls[found.wall].name);
+  lost.unit = std::string("m");
+  lost.value = found.depth;
+  lost.limit = lost_depth * state.scene.spacing;
+  lost.cause = std::string(
+      "a grain pressed or thrown through the face: soil too soft for its load, a gap or a sharp "
+      "corner near by, or a time step too long");
+  lost.advice = std::string("a stiffer soil, a finer spacing, a no-slip face, or a smaller cfl");
+  throw SimulationInstability(lost);
+}
+
+}  // namespace scarp

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Bounds on speed, density, stress and energy.
+#include "engine/watch/watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/parallel.hpp"
+
+namespace scarp {
+namespace {
+
+/// The widest that the bounds of a scene may be (`density_minimum`, `density_maximum`).
+constexpr double least_density = 0.01, most_density = 10.0;
+
+/// Over the speeds that the soil has a reason for; hard grains hit by a heavy block leave with up
+/// to twice its speed.
+constexpr double speed_margin = 2.0;
+
+constexpr const char* too_long =
+    "a time step too long for the stiffness, or soil too soft for its load";
+constexpr const char* shorter =
+    "a smaller cfl, or `retry` under [run]; `scarp check --probe` tells "
+    "the margin";
+
+double sound_speed(const State& state) {
+  double fastest = 0.0;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    fastest = std::max(fastest, std::sqrt(state.scaling.wave_modulus[group.material] /
+                                          state.scene.materials[group.material].density));
+  }
+  return fastest;
+}
+
+double value_of(const State& state, Field field, int component, std::int64_t slot) {
+  const double* array = state.particles.component(field, component);
+  return array != nullptr ? array[slot] : 0.0;
+}
+
+double speed_squared(const State& state, std::int64_t slot) {
+  double square = 0.0;
+  for (int a = 0; a < state.scene.dimension; ++a) {
+    const double v = state.particles.component(Field::velocity, a)[slot];
+    square += v * v;
+  }
+  return square;
+}
+
+std::int64_t fastest_slot(const State& state) {
+  std::int64_t fastest = 0;
+  double most = -1.0;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      const double square = speed_squared(state, k);
+      if (square <= most) continue;
+      most = square;
+      fastest = k;
+    }
+  }
+  return fastest;
+}
+
+/// What waves, the start of the stage and its walls give a reason for.
+double allowed_speed(const State& state) {
+  return speed_margin * (sound_speed(state) + state.stage.start_speed);
+}
+
+/// Beyond the allowed speed only a fall explains more: its own, or that of soil which pushes it.
+std::optional<Instability> too_fast(const State& state) {
+  const std::int64_t slot = fastest_slot(state);
+  double fall = 0.0;  // g . u, since the last reset
+  for (int a = 0; a < state.scene.dimension; ++a) {
+    fall += state.scene.gravity[static_cast<std::size_t>(a)] *
+            (value_of(state, Field::position, a, slot) -
+             value_of(state, Field::reference_position, a, slot));
+  }
+  Instability found = at_particle(state, slot);
+  found.field = "speed";
+  found.unit = "m/s";
+  found.value = std::sqrt(speed_squared(state, slot));
+  const Vec3& g = state.scene.gravity;
+  const double height = std::hypot(g[0], g[1], g[2]) * soil_height(state);
+  found.limit = allowed_speed(state) + std::sqrt(2.0 * (std::max(fall, 0.0) + height));
+  if (found.value <= found.limit) return {};
+  found.cause = too_long;
+  found.advice = shorter;
+  return found;
+}
+
+/// The first particle for which bad(material's reference density, slot) holds, or -1.
+template <class Bad>
+std::int64_t first_slot(const State& state, Bad&& bad) {
+  for (const ParticleGroup& group : state.particles.groups()) {
+    const double reference = state.scene.materials[group.material].density;
+    const auto look = [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+        if (bad(reference, k)) return k;
+      }
+      return std::int64_t{-1};
+    };
+    const std::int64_t slot = parallel_reduce(
+        state.threads, group.count, particle_chunk, std::int64_t{-1}, look,
+        [](std::int64_t& total, std::int64_t part) { total = total < 0 ? part : total; });
+    if (slot >= 0) return slot;
+  }
+  return -1;
+}
+
+/// A density that is a number, but one that no soil has.
+std::optional<Instability> torn_or_crushed(const State& state) {
+  const double* density = state.particles.component(Field::density);
+  const std::int64_t slot = first_slot(state, [&](double reference, std::int64_t k) {
+    return density[k] < least_density * reference ||
+           (density[k] > most_density * reference && std::isfinite(density[k]));
+  });
+  if (slot < 0) return {};
+  const auto group = std::find_if(state.particles.groups().begin(), state.particles.groups().end(),
+                                  [&](const ParticleGroup& g) { return slot < g.padded_end(); });
+  const double reference = state.scene.materials[group->material].density;
+  Instability found = at_particle(state, slot);
+  found.field = "density";
+  found.unit = "kg/m3";
+  found.value = density[slot];
+  found.limit = (found.value > reference ? most_density : least_density) * reference;
+  found.cause = "soil torn apart or crushed: too soft for its load, or a time step too long";
+  found.advice =
+      "a stiffer soil, a smaller cfl, or gradient_correction = true, which bounds density";
+  return found;
+}
+
+std::optional<Instability> density_or_stress_not_finite(const State& state) {
+  const double *stress[6], *density = state.particles.component(Field::density);
+  state.particles.components(Field::stress, stress);
+  const int stored = state.scene.dimension == 2 ? 4 : 6;
+  const std::int64_t slot = first_slot(state, [&](double, std::int64_t k) {
+    double sum = density[k];
+    for (int c = 0; c < stored; ++c) sum += stress[c][k];
+    return !std::isfinite(sum);
+  });
+  if (slot < 0) return {};
+  return not_finite(state, slot);
+}
+
+/// Kinetic, potential and elastic energy may only fall in a stage whose walls rest. What they may
+/// exceed their start by is what the stage has had to spend: its start and what has fallen.
+std::optional<Instability> energy_from_nothing(const State& state) {
+  for (const Vec3& v : state.wall_velocity) {
+    if (v != Vec3{}) return {};
+  }
+  const EnergyBalance& start = state.ledger.start;
+  const EnergyBalance now = energy_balance(state);
+  const double gain = now.kinetic - start.kinetic + now.potential + now.elastic;
+  double mass = 0.0;
+  for (const ParticleGroup& group : state.particles.groups())
+    mass += static_cast<double>(group.count) * state.scaling.mass[group.material];
+  // Without weight, speed and stress round-off is all there is: a thousandth of the wave speed.
+  const double slow = 1e-3 * sound_speed(state);
+  const double spent =
+      start.kinetic + start.elastic + std::max(-now.potential, 0.0) + 0.5 * mass * slow * slow;
+  if (gain <= spent) return {};
+  Instability found = at_particle(state, fastest_slot(state));  // the likeliest culprit
+  found.field = "energy gained by all soil";
+  found.unit = state.scene.dimension == 2 ? "J/m" : "J";
+  found.value = gain;
+  found.limit = spent;
+  found.cause = too_long;
+  found.advice = shorter;
+  return found;
+}
+
+}  // namespace
+
+Instability at_particle(const State& state, std::int64_t slot) {
+  Instability found;
+  found.step = state.report.step + 1;
+  found.time = state.report.time;
+  found.stage = state.scene.stages[state.stage.index].name;
+  found.particle = state.particles.ids()[static_cast<std::size_t>(slot)];
+  for (int a = 0; a < state.scene.dimension; ++a)
+    found.position[static_cast<std::size_t>(a)] = value_of(state, Field::position, a, slot);
+  return found;
+}
+
+Instability not_finite(const State& state, std::int64_t slot) {
+  if (auto reason = torn_or_crushed(state)) return *reason;  // it spoils its neighbours
+  Instability found = at_particle(state, slot);
+  found.limit = std::numeric_limits<double>::quiet_NaN();
+  struct Named {
+    Field field;
+    const char* name;
+    const char* unit;
+    int components;
+  };
+  for (const Named& one :
+       {Named{Field::density, "density", "kg/m3", 1}, Named{Field::velocity, "velocity", "m/s", 3},
+        Named{Field::stress, "stress", "Pa", 6},
+        Named{Field::acceleration, "acceleration", "m/s2", 3},
+        Named{Field::approach_rate, "approach rate", "m/s", 1}}) {
+    for (int c = 0; c < one.components; ++c) {
+      const double value = value_of(state, one.field, c, slot);
+      // The largest square that a step is chosen by is 1e300.
+      if (std::abs(value) < 1e150 && !(one.field == Field::density && value <= 0.0)) continue;
+      found.field = one.name;
+      found.unit = one.unit;
+      found.value = value;
+    }
+    if (!found.field.empty()) break;
+  }
+  found.cause =
+      "a time step too long for the stiffness, or particles that overlap or meet a gap "
+      "between walls";
+  found.advice = shorter;
+  return found;
+}
+
+std::optional<Instability> inspect(const State& state) {
+  if (auto found = torn_or_crushed(state)) return found;
+  if (auto found = density_or_stress_not_finite(state)) return found;
+  if (auto found = too_fast(state)) return found;
+  return energy_from_nothing(state);
+}
+
+void watch(State& state) {
+  std::optional<Instability> found;
+  if (state.report.max_velocity > allowed_speed(state)) found = too_fast(state);
+  if (!found && (state.report.step + 1) % steps_per_look == 0) found = inspect(state);
+  if (found) throw SimulationInstability(*found);
+}
+
+}  // namespace scarp

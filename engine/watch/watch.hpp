@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Tells when a run does what no soil can, before it ends in numbers that mean nothing.
+#pragma once
+
+#include <optional>
+
+#include "engine/errors.hpp"
+#include "engine/state.hpp"
+
+namespace scarp {
+
+/// Steps between two looks at density, stress and energy of the whole soil. Speed and finite
+/// velocities, densities and accelerations are looked at in every step.
+inline constexpr std::uint64_t steps_per_look = 50;
+
+/// Depth behind a face, in spacings, from where a grain counts as lost: no face holds it any more
+/// (B4).
+inline constexpr double lost_depth = 0.5;
+
+/// Step, time, stage and place filled in, the rest not.
+Instability at_particle(const State& state, std::int64_t slot);
+
+/// What happened to the particle whose velocity, density or acceleration is not finite.
+Instability not_finite(const State& state, std::int64_t slot);
+
+/// The first thing in the present state that no soil can do, if any. THEORY.md section 10.
+std::optional<Instability> inspect(const State& state);
+
+/// Phase: what `inspect` finds, in the steps when it is due. Errors: SimulationInstability.
+void watch(State& state);
+
+/// Whether a particle has passed a face since the lists were built; called before they are built
+/// anew, so what moves by half their skin is looked at. Errors: SimulationInstability.
+void watch_walls(const State& state);
+
+}  // namespace scarp

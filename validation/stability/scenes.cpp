@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The base scenes and their parts.
+#include "validation/stability/scenes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/watch/stability_margin.hpp"
+
+namespace scarp::validation {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+}  // namespace
+
+Stage lasting(const std::string& name, double duration) {
+  Stage stage;
+  stage.name = name;
+  stage.duration = duration;
+  return stage;
+}
+
+Facet line_2d(double x0, double y0, double x1, double y1) {
+  const double length = std::hypot(x1 - x0, y1 - y0);
+  const double tx = (x1 - x0) / length, ty = (y1 - y0) / length;
+  return {{x0, y0, 0}, {tx, ty, 0}, {0, 0, 0}, length, 0.0, {-ty, tx, 0}};
+}
+
+Wall wall_2d(const std::string& name, WallKind kind, std::vector<Facet> facets) {
+  Wall wall;
+  wall.name = name;
+  wall.kind = kind;
+  wall.facets = std::move(facets);
+  return wall;
+}
+
+Material soil(double youngs, double cohesion, double friction_deg, double dilation_deg,
+              double poisson, double density) {
+  return {"soil",
+          "drucker_prager",
+          density,
+          {youngs, poisson, cohesion, friction_deg * degree, dilation_deg * degree, 0.0}};
+}
+
+Body box_of(std::size_t material, double x0, double y0, double x1, double y1, double falling) {
+  Body body;
+  body.material = material;
+  body.shape = Box{{x0, y0, 0}, {x1, y1, 0}};
+  body.velocity = {0, -falling, 0};
+  return body;
+}
+
+Material solid(const std::string& name, double youngs, double density) {
+  return {name, "linear_elastic", density, {youngs, 0.3}};
+}
+
+void set_stages(Scene& scene, double settle_passages) {
+  const double passage = scene.numerics.smoothing_ratio * scene.spacing / sound_speed(scene);
+  Stage settle = lasting("settle", settle_passages * passage);
+  settle.until = StageEnd::rest;
+  settle.reset_after = true;
+  settle.rest_velocity = 1e-7 * sound_speed(scene);  // calmer than the shake of the trials
+  scene.stages = {settle, lasting("go", 1e6)};
+}
+
+Scene slope_scene(const std::string& preset_name) {
+  Scene scene;
+  scene.spacing = 1.0;
+  scene.numerics = preset(preset_name);
+  scene.materials = {soil()};
+  scene.bodies = {{0, Polygon{{{0, 0}, {45, 0}, {45, 5}, {32, 5}, {12, 15}, {0, 15}}, {}}, {}}};
+  scene.walls = {
+      wall_2d("base", WallKind::no_slip, {line_2d(0, 0, 45, 0)}),
+      wall_2d("sides", WallKind::free_slip, {line_2d(0, 20, 0, 0), line_2d(45, 0, 45, 20)})};
+  scene.initial_stress = InitialStress::geostatic;
+  set_stages(scene, 300.0);
+  return scene;
+}
+
+Scene bed_scene(const std::string& preset_name, double width, double height, double spacing) {
+  Scene scene;
+  scene.spacing = spacing;
+  scene.numerics = preset(preset_name);
+  scene.materials = {soil()};
+  scene.bodies = {box_of(0, 0, 0, width, height)};
+  const double top = 4.0 * height;
+  scene.walls = {wall_2d("base", WallKind::no_slip, {line_2d(0, 0, width, 0)}),
+                 wall_2d("sides", WallKind::free_slip,
+                         {line_2d(0, top, 0, 0), line_2d(width, 0, width, top)})};
+  scene.initial_stress = InitialStress::geostatic;
+  set_stages(scene, 300.0);
+  return scene;
+}
+
+}  // namespace scarp::validation

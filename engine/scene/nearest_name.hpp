@@ -41,7 +41,7 @@ std::string did_you_mean(std::string_view word, const Names& candidates) {
       nearest = name;
     }
   }
-  if (list.empty()) return "There is none to choose from.";
+  if (list.empty()) return "Try to define one first.";
   return nearest.empty() ? "Try one of " + list + "." : "Did you mean '" + nearest + "'?";
 }
 

@@ -23,12 +23,13 @@ struct Phase {
 #define SCARP_PHASE(function) \
   Phase { #function, function }
 
-/// The step of each integrator, literally; an adapter may act between two phases.
-constexpr std::array verlet_phases{SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
-                                   SCARP_PHASE(sweep_all),          SCARP_PHASE(sample_energy),
-                                   SCARP_PHASE(choose_time_step),   SCARP_PHASE(advance_verlet),
-                                   SCARP_PHASE(hold_off_faces),     SCARP_PHASE(end_step)};
-constexpr std::array kick_drift_kick_phases{
+/// The step of each integrator, literally; an adapter may act between two phases. (As a
+/// std::array of deduced type gcc 12 would put them into memory that can be written.)
+constexpr Phase verlet_phases[]{SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
+                                SCARP_PHASE(sweep_all),          SCARP_PHASE(sample_energy),
+                                SCARP_PHASE(choose_time_step),   SCARP_PHASE(advance_verlet),
+                                SCARP_PHASE(hold_off_faces),     SCARP_PHASE(end_step)};
+constexpr Phase kick_drift_kick_phases[]{
     SCARP_PHASE(choose_time_step),   SCARP_PHASE(kick_half),
     SCARP_PHASE(hold_off_faces),     SCARP_PHASE(drift_half),
     SCARP_PHASE(refresh_neighbours), SCARP_PHASE(extrapolate_walls),
@@ -48,7 +49,7 @@ std::span<const Phase> phases_of(Integrator integrator) {
 
 struct Simulation::Impl {
   State state;
-  std::array<double, kick_drift_kick_phases.size()> phase_seconds{};
+  std::array<double, std::size(kick_drift_kick_phases)> phase_seconds{};
   std::vector<std::int64_t> slot_of_id() const {
     std::vector<std::int64_t> slots(static_cast<std::size_t>(state.particles.count()));
     const auto& ids = state.particles.ids();

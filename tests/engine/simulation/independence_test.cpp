@@ -45,16 +45,16 @@ constexpr int steps = 80;
 
 Sight alone(const Scene& scene) { return sight_of(run_steps(scene, steps, {1, {}})); }
 
-/// A block that is thrown at 100 km/s: the first steps leave the physical range.
+/// Thrown so fast that the squares of its velocities are no numbers.
 Scene doomed() {
   Scene scene = slope();
-  scene.bodies[0].velocity_field = {"1e5 * sin(x)", "1e5 * cos(7 * y)"};
+  scene.bodies[0].velocity_field = {"1e200 * x", "0"};
   return scene;
 }
 
 /// Steps until the run becomes unstable; how often it could.
 int steps_to_failure(Simulation& simulation) {
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 10; ++k) {
     try {
       simulation.step();
     } catch (const SimulationInstability&) {

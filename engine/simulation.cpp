@@ -61,7 +61,7 @@ struct Simulation::Impl {
   }
 };
 
-Simulation::Simulation(Scene scene, RunOptions options)
+Simulation::Simulation(Scene scene, const RunOptions& options)
     : impl_(std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}})) {}
 Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options) {
   if (options.isa.empty()) options.isa = snapshot.text("isa");

@@ -114,7 +114,7 @@ bool Value::boolean() const {
 }
 
 std::string Value::letters() const {
-  const std::string words = node_->value_exact<std::string>().value_or("");
+  std::string words = node_->value_exact<std::string>().value_or("");
   // It would end the text of every exception in which the words stand.
   if (words.find('\0') != std::string::npos) fail("it holds \\u0000. Try text without it.");
   return words;
@@ -122,7 +122,7 @@ std::string Value::letters() const {
 
 std::string Value::text() const {
   if (!is_text()) wrong_type("text", "\"text in quotes\"");
-  const std::string words = letters();
+  std::string words = letters();
   if (words.empty()) fail("the text is empty. Try some letters.");
   return words;
 }

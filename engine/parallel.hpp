@@ -27,7 +27,7 @@ Result parallel_reduce(int threads, std::int64_t count, std::int64_t chunk, Resu
   parallel_chunks(threads, count, chunk, [&](std::int64_t begin, std::int64_t end) {
     partial[static_cast<std::size_t>(begin / chunk)] = f(begin, end);
   });
-  for (const Result& part : partial) merge(start, part);
+  for (const auto& part : partial) merge(start, part);
   return start;
 }
 

@@ -24,33 +24,34 @@ struct Phase {
 #define SCARP_PHASE(function) \
   Phase { #function, function }
 
-/// The step of each integrator, literally; an adapter may act between two phases.
-constexpr std::array verlet_phases{SCARP_PHASE(refresh_neighbours),
-                                   SCARP_PHASE(extrapolate_walls),
-                                   SCARP_PHASE(sweep_all),
-                                   SCARP_PHASE(sample_energy),
-                                   SCARP_PHASE(choose_time_step),
-                                   SCARP_PHASE(advance_verlet),
-                                   SCARP_PHASE(hold_off_faces),
-                                   SCARP_PHASE(watch),
-                                   SCARP_PHASE(end_step)};
-constexpr std::array kick_drift_kick_phases{SCARP_PHASE(choose_time_step),
-                                            SCARP_PHASE(kick_half),
-                                            SCARP_PHASE(hold_off_faces),
-                                            SCARP_PHASE(drift_half),
-                                            SCARP_PHASE(refresh_neighbours),
-                                            SCARP_PHASE(extrapolate_walls),
-                                            SCARP_PHASE(sweep_gradient),
-                                            SCARP_PHASE(advance_stress),
-                                            SCARP_PHASE(drift_half),
-                                            SCARP_PHASE(refresh_neighbours),
-                                            SCARP_PHASE(extrapolate_walls),
-                                            SCARP_PHASE(sweep_force),
-                                            SCARP_PHASE(kick_half),
-                                            SCARP_PHASE(hold_off_faces),
-                                            SCARP_PHASE(sample_energy),
-                                            SCARP_PHASE(watch),
-                                            SCARP_PHASE(end_step)};
+/// The step of each integrator, literally; an adapter may act between two phases. (As a
+/// std::array of deduced type gcc 12 would put them into memory that can be written.)
+constexpr Phase verlet_phases[]{SCARP_PHASE(refresh_neighbours),
+                                SCARP_PHASE(extrapolate_walls),
+                                SCARP_PHASE(sweep_all),
+                                SCARP_PHASE(sample_energy),
+                                SCARP_PHASE(choose_time_step),
+                                SCARP_PHASE(advance_verlet),
+                                SCARP_PHASE(hold_off_faces),
+                                SCARP_PHASE(watch),
+                                SCARP_PHASE(end_step)};
+constexpr Phase kick_drift_kick_phases[]{SCARP_PHASE(choose_time_step),
+                                         SCARP_PHASE(kick_half),
+                                         SCARP_PHASE(hold_off_faces),
+                                         SCARP_PHASE(drift_half),
+                                         SCARP_PHASE(refresh_neighbours),
+                                         SCARP_PHASE(extrapolate_walls),
+                                         SCARP_PHASE(sweep_gradient),
+                                         SCARP_PHASE(advance_stress),
+                                         SCARP_PHASE(drift_half),
+                                         SCARP_PHASE(refresh_neighbours),
+                                         SCARP_PHASE(extrapolate_walls),
+                                         SCARP_PHASE(sweep_force),
+                                         SCARP_PHASE(kick_half),
+                                         SCARP_PHASE(hold_off_faces),
+                                         SCARP_PHASE(sample_energy),
+                                         SCARP_PHASE(watch),
+                                         SCARP_PHASE(end_step)};
 #undef SCARP_PHASE
 
 std::span<const Phase> phases_of(Integrator integrator) {
@@ -70,7 +71,7 @@ double noise(std::uint64_t key) {
 
 struct Simulation::Impl {
   State state;
-  std::array<double, kick_drift_kick_phases.size()> phase_seconds{};
+  std::array<double, std::size(kick_drift_kick_phases)> phase_seconds{};
   std::vector<std::int64_t> slot_of_id() const {
     std::vector<std::int64_t> slots(static_cast<std::size_t>(state.particles.count()));
     const auto& ids = state.particles.ids();
@@ -82,7 +83,7 @@ struct Simulation::Impl {
   }
 };
 
-Simulation::Simulation(Scene scene, RunOptions options)
+Simulation::Simulation(Scene scene, const RunOptions& options)
     : impl_(std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}})) {}
 Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options) {
   if (options.isa.empty()) options.isa = snapshot.text("isa");

@@ -111,7 +111,7 @@ struct PhaseTime {
 /// SimulationInstability from `step()` (state stays readable).
 class Simulation {
  public:
-  explicit Simulation(Scene scene, RunOptions options = {});
+  explicit Simulation(Scene scene, const RunOptions& options = {});
   /// Goes on from a snapshot of the same scene, bit for bit with any number of threads and the
   /// snapshot's instruction set, which an empty `RunOptions::isa` means here. Forces on walls are
   /// those of the present positions until the next step. Errors: CheckpointError.

@@ -8,7 +8,6 @@
 #include <sys/wait.h>
 
 #include <array>
-#include <cstring>
 #include <system_error>
 
 #include "validation/case_run.hpp"
@@ -38,7 +37,8 @@ std::string write_report(const std::filesystem::path& folder) {
   std::array<char*, 4> arguments{program.data(), file.data(), argument.data(), nullptr};
   pid_t child = 0;
   const int problem = posix_spawn(&child, interpreter, nullptr, nullptr, arguments.data(), environ);
-  if (problem != 0) return missing + fmt::format("{}: {}.", interpreter, std::strerror(problem));
+  if (problem != 0)
+    return missing + fmt::format("{}: {}.", interpreter, std::generic_category().message(problem));
   int status = 0;
   if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     return missing + fmt::format(

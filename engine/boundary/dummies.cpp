@@ -83,9 +83,9 @@ class DummyLayout {
       const double columns = std::ceil(lengths[a] / spacing_ - 1e-6);
       if (lengths[a] < spacing_ - tolerance_) {
         throw SceneError(fmt::format(
-            "wall '{}': a facet is {} m long, less than the spacing {} m. Try a smaller "
-            "spacing or a longer facet.",
-            scene.walls[wall].name, lengths[a], spacing_));
+            "{}'{}': a facet is {} m long, less than the spacing {} m. Try a smaller spacing or a "
+            "longer facet.",
+            message_start(scene, scene.walls[wall]), scene.walls[wall].name, lengths[a], spacing_));
       }
       count *= columns + 2.0 * static_cast<double>(layers_);
       face.columns[a] = static_cast<std::int64_t>(std::min(columns, 1e15));
@@ -94,9 +94,11 @@ class DummyLayout {
     sites += count;
     if (sites > most_particles()) {
       throw SceneError(fmt::format(
-          "wall '{}': with it the walls have more than {:.3g} dummy particles at spacing {} m, the "
-          "most for this machine's {:.3g} GB of memory. Try a larger spacing or a smaller wall.",
-          scene.walls[wall].name, most_particles(), spacing_, 1e-9 * physical_memory()));
+          "{}'{}': with it the walls have more than {:.3g} dummy particles at spacing {} m, the "
+          "most "
+          "for this machine's {:.3g} GB of memory. Try a larger spacing or a smaller wall.",
+          message_start(scene, scene.walls[wall]), scene.walls[wall].name, most_particles(),
+          spacing_, 1e-9 * physical_memory()));
     }
     faces_.push_back(std::move(face));
   }

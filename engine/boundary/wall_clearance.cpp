@@ -40,9 +40,9 @@ void check_wall_clearance(const Scene& scene, const SoilPoints& soil) {
         const Vec3 foot = plus(point, at.depth, facet.normal);
         if (behind_another_face(scene, facet, foot, point, tolerance)) continue;
         throw SceneError(fmt::format(
-            "soil particle at {} lies {:.3g} m behind wall '{}'. Try to reverse the order of the "
-            "line's points (in 3D: the normal), or move the body or the wall.",
-            point_text(point, scene.dimension), at.depth, wall.name));
+            "{}'{}': the soil particle at {} lies {:.3g} m behind it. Try to reverse the order of "
+            "the line's points (in 3D: the normal), or move the body or the wall.",
+            message_start(scene, wall), wall.name, point_text(point, scene.dimension), at.depth));
       }
     }
   }

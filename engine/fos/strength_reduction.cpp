@@ -66,7 +66,7 @@ bool settle(Simulation& simulation, const Proceed& proceed) {
   return true;
 }
 
-StrengthReduction::StrengthReduction(Simulation settled, Criterion criterion)
+StrengthReduction::StrengthReduction(Simulation settled, const Criterion& criterion)
     : settled_(std::move(settled)), criterion_(criterion), position_(settled_.field("position")) {}
 
 double StrengthReduction::largest_displacement(const Simulation& simulation,

@@ -67,7 +67,7 @@ bool settle(Simulation& simulation, const Proceed& proceed);
 class StrengthReduction {
  public:
   /// `settled`: after `settle`.
-  StrengthReduction(Simulation settled, Criterion criterion);
+  StrengthReduction(Simulation settled, const Criterion& criterion);
 
   /// The response with the strength it settled with: what moves then is no failure, and counts as
   /// the elastic response from here on. Empty: asked to stop. Errors: SceneError if even this

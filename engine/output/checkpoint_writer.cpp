@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <regex>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -54,7 +55,7 @@ void remove_file(const fs::path& path) {
 }  // namespace
 
 std::vector<fs::path> checkpoints_in(const fs::path& folder) {
-  static const std::regex complete(R"(step_\d{12}\.h5)");
+  const std::regex complete(R"(step_\d{12}\.h5)");
   return files_of(folder, complete);
 }
 
@@ -65,22 +66,24 @@ void remove_checkpoints_after(const fs::path& folder, std::uint64_t step) {
 }
 
 void remove_checkpoints(const fs::path& folder) {
-  static const std::regex ours(R"(step_\d{12}\.h5(\.part)?)");
+  const std::regex ours(R"(step_\d{12}\.h5(\.part)?)");
   for (const fs::path& path : files_of(folder, ours)) remove_file(path);
 }
 
-CheckpointWriter::CheckpointWriter(const Simulation& simulation, RunWriter& outputs)
+CheckpointWriter::CheckpointWriter(const Simulation& simulation, RunWriter& outputs,
+                                   std::function<Clock::time_point()> now)
     : outputs_(outputs),
       wanted_(simulation.scene().checkpoints),
+      now_(std::move(now)),
       next_(next_after(simulation.last_step().time, wanted_.interval)) {
-  static const std::regex half_written(R"(step_\d{12}\.h5\.part)");
+  const std::regex half_written(R"(step_\d{12}\.h5\.part)");
   for (const fs::path& path : files_of(outputs_.folder(), half_written)) remove_file(path);
 }
 
 bool CheckpointWriter::due(const Simulation& simulation) {
   if (simulation.last_step().time >= next_) return true;
   return wanted_.wall_interval > 0.0 &&
-         std::chrono::duration<double>(Clock::now() - last_).count() >= wanted_.wall_interval;
+         std::chrono::duration<double>(now_() - last_).count() >= wanted_.wall_interval;
 }
 
 std::string CheckpointWriter::after_step(const Simulation& simulation) {
@@ -89,7 +92,7 @@ std::string CheckpointWriter::after_step(const Simulation& simulation) {
     write(simulation);
   } catch (const FileError& error) {
     if (wanted_.stop_on_error) throw;
-    last_ = Clock::now();
+    last_ = now_();
     next_ = next_after(simulation.last_step().time, wanted_.interval);
     return fmt::format("no checkpoint at step {}: {} The run goes on.", simulation.last_step().step,
                        error.what());
@@ -111,7 +114,7 @@ void CheckpointWriter::write(const Simulation& simulation) {
   write_checkpoint(folder / fmt::format("step_{:012}.h5", simulation.last_step().step), snapshot);
   const std::vector<fs::path> all = checkpoints_in(outputs_.folder());
   for (std::size_t k = kept; k < all.size(); ++k) remove_file(all[k]);
-  last_ = Clock::now();
+  last_ = now_();
   next_ = next_after(simulation.last_step().time, wanted_.interval);
 }
 

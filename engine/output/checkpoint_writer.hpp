@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,12 @@ void remove_checkpoints(const std::filesystem::path& folder);
 /// checkpoint says has been written by `RunWriter` is flushed to the disk first.
 class CheckpointWriter {
  public:
-  /// Removes what a killed run has left half-written. Errors: FileError.
-  CheckpointWriter(const Simulation& simulation, RunWriter& outputs);
+  using Clock = std::chrono::steady_clock;  // not moved when the time of day is set
+
+  /// Removes what a killed run has left half-written; `now` tells `wall_interval` the time. Errors:
+  /// FileError.
+  CheckpointWriter(const Simulation& simulation, RunWriter& outputs,
+                   std::function<Clock::time_point()> now = Clock::now);
 
   /// Call after each step, behind `RunWriter::after_step`. Returns a warning if a checkpoint could
   /// not be written and the scene wants to go on in that case, else nothing. Errors: FileError.
@@ -38,10 +43,10 @@ class CheckpointWriter {
  private:
   bool due(const Simulation& simulation);
 
-  using Clock = std::chrono::steady_clock;  // not moved when the time of day is set
   RunWriter& outputs_;
   Checkpoints wanted_;
-  Clock::time_point last_ = Clock::now();
+  std::function<Clock::time_point()> now_;
+  Clock::time_point last_ = now_();
   double next_ = 0.0;  ///< simulated time [s]
 };
 

@@ -90,7 +90,7 @@ std::string frame_name(std::string_view name, std::size_t number) {
 /// Makes the folder; removes frames from number `kept` on, half-written files, and with no frame
 /// kept all that is not numbered.
 void clear_frames(const std::filesystem::path& folder, std::size_t kept) {
-  static const std::regex ours(R"((?:soil|walls)(?:_(\d{5,9}))?\.hdf(?:\.series)?(\.part)?)");
+  const std::regex ours(R"((?:soil|walls)(?:_(\d{5,9}))?\.hdf(?:\.series)?(\.part)?)");
   try {
     std::filesystem::create_directories(folder);
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -17,11 +17,18 @@ namespace {
 
 template <class T>
 std::pair<hid_t, hid_t> memory_and_file_type() {
-  if constexpr (std::is_same_v<T, float>) return {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE};
-  if constexpr (std::is_same_v<T, double>) return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
-  if constexpr (std::is_same_v<T, std::int32_t>) return {H5T_NATIVE_INT32, H5T_STD_I32LE};
-  if constexpr (std::is_same_v<T, std::int64_t>) return {H5T_NATIVE_INT64, H5T_STD_I64LE};
-  if constexpr (std::is_same_v<T, std::uint8_t>) return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
+  if constexpr (std::is_same_v<T, float>) {
+    return {H5T_NATIVE_FLOAT, H5T_IEEE_F32LE};
+  } else if constexpr (std::is_same_v<T, double>) {
+    return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
+    return {H5T_NATIVE_INT32, H5T_STD_I32LE};
+  } else if constexpr (std::is_same_v<T, std::int64_t>) {
+    return {H5T_NATIVE_INT64, H5T_STD_I64LE};
+  } else {
+    static_assert(std::is_same_v<T, std::uint8_t>);
+    return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
+  }
 }
 
 }  // namespace

@@ -115,13 +115,13 @@ HeightFunction height_function(const HeightField& field, const std::string& labe
 struct Builder {
   int dimension;
   double spacing;
-  std::string prefix;
+  std::string start;  // of a message
   ColumnShape shape{};
 
   void bound(const std::string& what, const Vec3& minimum, const Vec3& maximum) {
     shape.minimum = minimum;
     shape.maximum = maximum;
-    shape.label = fmt::format("{} ({} from {} to {})", prefix, what, point_text(minimum, dimension),
+    shape.label = fmt::format("{}{} from {} to {}", start, what, point_text(minimum, dimension),
                               point_text(maximum, dimension));
     // A billionth of a spacing, or more where coordinates are so large that round-off is more.
     shape.tolerance = 1e-9 * spacing;
@@ -181,8 +181,8 @@ struct Builder {
     const auto& [x0, y0] = field.plan_minimum;
     const auto& [x1, y1] = field.plan_maximum;
     bound("height field", {x0, y0, field.base}, {x1, y1, field.base});
-    shape.label = fmt::format("{} (height field over x {} to {}, y {} to {}, base {})", prefix, x0,
-                              x1, y0, y1, field.base);
+    shape.label = fmt::format("{}height field over x {} to {}, y {} to {}, base {}", start, x0, x1,
+                              y0, y1, field.base);
     shape.column = [base = field.base, label = shape.label,
                     height = height_function(field, shape.label)](double x, double y,
                                                                   std::vector<Range>& out) {
@@ -206,9 +206,9 @@ std::string point_text(const Vec3& point, int dimension) {
 }
 
 ColumnShape column_shape(const Scene& scene, std::size_t index) {
-  Builder builder{scene.dimension, scene.spacing,
-                  fmt::format("body {} of {}", index + 1, scene.bodies.size())};
-  std::visit(builder, scene.bodies[index].shape);
+  const Body& body = scene.bodies[index];
+  Builder builder{scene.dimension, scene.spacing, message_start(scene, body)};
+  std::visit(builder, body.shape);
   return std::move(builder.shape);
 }
 

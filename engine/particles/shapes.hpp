@@ -18,7 +18,7 @@ struct Range {
 /// A shape as the lattice fill sees it. Points on the surface, to a tolerance, count as inside, so
 /// that bodies which share a face leave no gap and mirrored shapes hold mirrored points.
 struct ColumnShape {
-  std::string label;       ///< "body 2 of 3 (box from (0, 0) to (1, 1))"
+  std::string label;       ///< start of a message: "key 'body[1]' = box from (0, 0) to (1, 1)"
   Vec3 minimum{};          ///< lowest corner [m]
   Vec3 maximum{};          ///< highest corner [m]; the vertical one of a height field is not known
   double tolerance = 0.0;  ///< reach of the surface [m]

@@ -33,15 +33,16 @@ std::string did_you_mean(std::string_view word, const Names& candidates) {
   std::string nearest, list;
   std::size_t best = word.size() <= 64 ? std::max<std::size_t>(2, word.size() / 3) + 1 : 0;
   for (const auto& candidate : candidates) {
-    const std::string name(candidate);
-    list += (list.empty() ? "" : ", ") + name;
+    const std::string_view name(candidate);
+    list += list.empty() ? "" : ", ";
+    list += name;
     const std::size_t distance = best == 0 ? 0 : edit_distance(word, name);
     if (distance < best && distance < name.size()) {
       best = distance;
       nearest = name;
     }
   }
-  if (list.empty()) return "There is none to choose from.";
+  if (list.empty()) return "Try to define one first.";
   return nearest.empty() ? "Try one of " + list + "." : "Did you mean '" + nearest + "'?";
 }
 

@@ -102,6 +102,7 @@ Body read_body(const Value& item, int dimension, const std::vector<Material>& ma
   const Table table = item.table({"material", "polygon", "extrude", "box", "cylinder",
                                   "height_field", "velocity", "velocity_field"});
   Body body;
+  body.line = item.line();
   const Value material = table.require("material", "\"clay\"");
   const std::string name = material.text();
   std::vector<std::string> names;

@@ -12,6 +12,7 @@ void read_numerics(const Value& section, Numerics& numerics);
 Material read_material(const Value& item, int dimension);
 /// `materials` resolves the body's material name.
 Body read_body(const Value& item, int dimension, const std::vector<Material>& materials);
+inline constexpr std::string_view wall_shapes[] = {"line", "rectangle", "plane", "box"};
 Wall read_wall(const Value& item, int dimension);
 void read_initial(const Value& section, Scene& scene);
 std::vector<Stage> read_stages(const std::vector<Value>& items);

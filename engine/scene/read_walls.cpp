@@ -57,10 +57,12 @@ Wall read_wall(const Value& item, int dimension) {
   const Table table =
       item.table({"name", "kind", "line", "rectangle", "plane", "box", "motion", "until"});
   Wall wall;
+  wall.line = item.line();
   wall.name = table.require("name", "\"base\"").text();
   wall.kind = static_cast<WallKind>(
       table.require("kind", "\"no_slip\" or \"free_slip\"").choice("no_slip|free_slip"));
-  const std::string_view shape = table.require_one_of({"line", "rectangle", "plane", "box"});
+  const std::string_view shape =
+      table.require_one_of({std::begin(wall_shapes), std::end(wall_shapes)});
   const Value value = table.require(shape, "...");
   try {
     wall.facets = read_shape(shape, value, dimension);

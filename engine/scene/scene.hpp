@@ -96,6 +96,7 @@ struct Body {
   /// Initial velocity by place instead: one muParser expression of x, y, z [m] for each direction
   /// [m/s]; empty: `velocity`.
   std::vector<std::string> velocity_field{};
+  int line = 0;  ///< where it begins in `Scene::file`; 0: made in code
 };
 
 /// A flat piece of wall: `origin` + s `tangent_u` + t `tangent_v`, 0 <= s <= `length_u`, 0 <= t <=
@@ -116,6 +117,7 @@ struct Wall {
   Vec3 velocity{};         ///< rigid translation [m/s]
   std::string moves_from;  ///< stage at whose start it begins to move; empty: from the start
   std::string removed_at;  ///< stage at whose start it is removed; empty: never
+  int line = 0;            ///< where it begins in `Scene::file`; 0: made in code
 };
 
 struct Stage {
@@ -168,6 +170,11 @@ struct Scene {
   Checkpoints checkpoints;
   int retries = 0;  ///< how often `scarp run` may go back and halve the time step
 };
+
+/// How a message about a body or wall begins: "slope.toml:19: key 'body[0]' = "; without file and
+/// line if it was made in code.
+std::string message_start(const Scene& scene, const Body& body);
+std::string message_start(const Scene& scene, const Wall& wall);
 
 /// The rows of the named preset ("paper" or "modern"); throws SceneError for another name.
 Numerics preset(const std::string& name);

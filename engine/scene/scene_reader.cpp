@@ -130,23 +130,43 @@ Scene read_document(const Value& document, const std::string& name,
   return scene;
 }
 
+/// A wall in a file has no facets, but one of the shapes they are made from.
+void locate_facet(const SceneProblem& problem, const toml::table& document,
+                  const std::string& name) {
+  const std::string& path = problem.path();
+  const std::size_t facets = path.find(".facets[");
+  if (facets == std::string::npos) return;
+  const std::string member = path.substr(path.rfind('.') + 1);
+  for (const std::string_view shape : input::wall_shapes) {
+    const std::string key = path.substr(0, facets + 1) + std::string(shape);
+    if (const auto view = toml::at_path(document, key)) {
+      input::fail(
+          name, *view.node(), key,
+          fmt::format("{} of one of its faces is {}: {}", member, problem.value(), problem.why()));
+    }
+  }
+}
+
 /// Rethrows a broken rule with the line of its key, or of the nearest table around it.
 [[noreturn]] void locate(const SceneProblem& problem, const toml::table& document,
                          const std::string& name) {
+  locate_facet(problem, document, name);
   std::string path = problem.path();
   if (const auto view = toml::at_path(document, path)) {
     input::fail(name, *view.node(), path, problem.why());
   }
-  std::size_t line = 1;
+  int line = 1;
   for (auto cut = path.find_last_of(".["); cut != std::string::npos;
        cut = path.find_last_of(".[")) {
     path.resize(cut);
     const auto view = toml::at_path(document, path);
     if (!view) continue;
-    line = std::max<std::size_t>(1, view.node()->source().begin.line);
+    line = input::line_of(*view.node());
     break;
   }
-  throw SceneError(fmt::format("{}:{}: {}", name, line, input::one_line(problem.what(), 1000)));
+  throw SceneError(
+      fmt::format("{}:{}: key '{}' = {}: {}", name, line, input::one_line(problem.path(), 100),
+                  input::one_line(problem.value(), 100), input::one_line(problem.why(), 1000)));
 }
 
 }  // namespace

@@ -66,9 +66,13 @@ std::string shown(const toml::node& node) {
   return one_line(stream.str(), 60);
 }
 
+int line_of(const toml::node& node) {
+  return static_cast<int>(std::max<toml::source_index>(1, node.source().begin.line));
+}
+
 void fail(const std::string& file, const toml::node& node, const std::string& path,
           const std::string& why) {
-  const std::size_t line = std::max<std::size_t>(1, node.source().begin.line);
+  const int line = line_of(node);
   const std::string reason = one_line(why, 1000);
   if (path.empty()) throw SceneError(fmt::format("{}:{}: {}", file, line, reason));
   throw SceneError(fmt::format("{}:{}: key '{}' = {}: {}", file, line, one_line(path, 100),
@@ -87,11 +91,9 @@ double Value::number(kernels::Unit unit) const {
     if (const auto whole = node_->value_exact<std::int64_t>()) {
       return check_bare_number(static_cast<double>(*whole), unit);
     }
-    if (const auto words = node_->value_exact<std::string_view>()) {
-      return parse_quantity(*words, unit);
-    }
+    if (is_text()) return parse_quantity(letters(), unit);
   } catch (const UnitError& error) {
-    fail(fmt::format("{}.", error.what()));
+    fail(error.what());
   }
   const std::string units = accepted_units(unit);
   wrong_type(quantity_name(unit),
@@ -111,11 +113,18 @@ bool Value::boolean() const {
   return *truth;
 }
 
+std::string Value::letters() const {
+  std::string words = node_->value_exact<std::string>().value_or("");
+  // It would end the text of every exception in which the words stand.
+  if (words.find('\0') != std::string::npos) fail("it holds \\u0000. Try text without it.");
+  return words;
+}
+
 std::string Value::text() const {
-  const auto words = node_->value_exact<std::string>();
-  if (!words) wrong_type("text", "\"text in quotes\"");
-  if (words->empty()) fail("the text is empty. Try some letters.");
-  return *words;
+  if (!is_text()) wrong_type("text", "\"text in quotes\"");
+  std::string words = letters();
+  if (words.empty()) fail("the text is empty. Try some letters.");
+  return words;
 }
 
 std::size_t Value::choice(std::string_view choices) const {
@@ -174,6 +183,8 @@ Keys Value::keys() const {
   return names;
 }
 
+int Value::line() const { return line_of(*node_); }
+
 Table::Table(const Value& value, const Keys& known)
     : value_(value), table_(value.node_->as_table()) {
   for (const auto& [key, node] : *table_) {
@@ -192,9 +203,8 @@ std::optional<Value> Table::find(std::string_view key) const { return value_.pee
 
 Value Table::require(std::string_view key, std::string_view example) const {
   if (const auto value = find(key)) return *value;
-  const std::size_t line = std::max<std::size_t>(1, table_->source().begin.line);
-  throw SceneError(fmt::format("{}:{}: key '{}' is missing. Try {} = {}.", *value_.file_, line,
-                               path_of(key), key, example));
+  throw SceneError(fmt::format("{}:{}: key '{}' is missing. Try {} = {}.", *value_.file_,
+                               value_.line(), path_of(key), key, example));
 }
 
 std::string_view Table::require_one_of(const Keys& keys) const {
@@ -205,9 +215,7 @@ std::string_view Table::require_one_of(const Keys& keys) const {
     found = key;
   }
   if (!found.empty()) return found;
-  const std::size_t line = std::max<std::size_t>(1, table_->source().begin.line);
-  throw SceneError(fmt::format("{}:{}: '{}' has no shape. Try one of {}.", *value_.file_, line,
-                               value_.path_, fmt::join(keys, ", ")));
+  fail(fmt::format("none of {} is given. Try one of them.", fmt::join(keys, ", ")));
 }
 
 }  // namespace scarp::input

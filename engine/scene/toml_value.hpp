@@ -29,6 +29,9 @@ std::string one_line(std::string_view raw, std::size_t longest);
 /// A node as the user wrote it, short enough for a message.
 std::string shown(const toml::node& node);
 
+/// Where a node begins in the file, from 1.
+int line_of(const toml::node& node);
+
 /// "file:line: key 'a.b' = value: why"; the line is the node's.
 [[noreturn]] void fail(const std::string& file, const toml::node& node, const std::string& path,
                        const std::string& why);
@@ -54,11 +57,13 @@ class Value {
   /// An entry of a table whose known keys depend on it.
   std::optional<Value> peek(std::string_view key) const;
   Keys keys() const;  ///< of a table, else none
+  int line() const;   ///< where it begins in the file, from 1
 
   [[noreturn]] void fail(const std::string& why) const;
 
  private:
   friend class Table;
+  std::string letters() const;  ///< of text
   [[noreturn]] void wrong_type(std::string_view wanted, std::string_view example) const;
 
   const toml::node* node_;

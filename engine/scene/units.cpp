@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -60,8 +61,17 @@ std::string_view trimmed(std::string_view text) {
 }
 
 double finite(double value) {
-  if (!std::isfinite(value)) throw UnitError("it is not a finite number. Try a finite one");
+  if (!std::isfinite(value)) throw UnitError("it is not a finite number. Try a finite one.");
   return value;
+}
+
+/// Equal but for capitals.
+bool same_letters(std::string_view a, std::string_view b) {
+  const auto small = [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char p, char q) { return small(p) == small(q); });
 }
 
 std::string example(Unit unit) {
@@ -111,7 +121,7 @@ double check_bare_number(double value, Unit unit) {
   finite(value);
   if (unit == Unit::angle && value != 0.0) {
     throw UnitError(
-        fmt::format("an angle needs its unit. Try \"{} deg\" or \"{} rad\"", value, value));
+        fmt::format("an angle needs its unit. Try \"{} deg\" or \"{} rad\".", value, value));
   }
   return value;
 }
@@ -124,15 +134,15 @@ double parse_quantity(std::string_view text, Unit unit) {
   const bool doubled_sign = text.find("+-") != std::string_view::npos;
   if (error == std::errc::result_out_of_range) finite(HUGE_VAL);
   if (error != std::errc{} || doubled_sign) {
-    throw UnitError(fmt::format("{} is needed. Try a number, or text such as {}",
+    throw UnitError(fmt::format("{} is needed. Try a number, or text such as {}.",
                                 quantity_name(unit), example(unit)));
   }
   const std::string_view name = trimmed(rest.substr(static_cast<std::size_t>(end - rest.data())));
   if (unit == Unit::none || unit == Unit::choice) {
-    throw UnitError("a plain number without unit and quotes is needed. Try 1.5");
+    throw UnitError("a plain number without unit and quotes is needed. Try 1.5.");
   }
   if (name.empty()) {
-    throw UnitError(fmt::format("the text has no unit. Try one of {}", accepted_units(unit)));
+    throw UnitError(fmt::format("the text has no unit. Try one of {}.", accepted_units(unit)));
   }
   const UnitRow* other = nullptr;
   for (const UnitRow& row : rows) {
@@ -141,12 +151,18 @@ double parse_quantity(std::string_view text, Unit unit) {
     other = &row;
   }
   if (other != nullptr) {
-    throw UnitError(fmt::format("'{}' is the unit of {}, but {} is needed. Try one of {}", name,
+    throw UnitError(fmt::format("'{}' is the unit of {}, but {} is needed. Try one of {}.", name,
                                 quantity_name(other->unit), quantity_name(unit),
                                 accepted_units(unit)));
   }
-  throw UnitError(fmt::format("unknown unit '{}' for {}. Try one of {}", name.substr(0, 20),
-                              quantity_name(unit), accepted_units(unit)));
+  const std::string why =
+      fmt::format("unknown unit '{}' for {}.", name.substr(0, 20), quantity_name(unit));
+  for (const UnitRow& row : rows) {  // "mpa" is not taken for "MPa": m and M differ by 1e9
+    if (row.unit == unit && same_letters(row.name, name)) {
+      throw UnitError(fmt::format("{} Did you mean '{}'?", why, row.name));
+    }
+  }
+  throw UnitError(fmt::format("{} Try one of {}.", why, accepted_units(unit)));
 }
 
 }  // namespace scarp

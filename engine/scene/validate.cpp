@@ -127,6 +127,24 @@ void check_initial(const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+template <class Part>
+std::string start_of(const Scene& scene, const std::vector<Part>& list, const Part& part,
+                     std::string_view section) {
+  const std::string place = part.line > 0 ? fmt::format("{}:{}: ", scene.file, part.line) : "";
+  return fmt::format("{}key '{}[{}]' = ", place, section, &part - list.data());
+}
+
+}  // namespace
+
+std::string message_start(const Scene& scene, const Body& body) {
+  return start_of(scene, scene.bodies, body, "body");
+}
+std::string message_start(const Scene& scene, const Wall& wall) {
+  return start_of(scene, scene.walls, wall, "wall");
+}
+
 void validate(const Scene& scene) {
   inside(scene.dimension, 2, 3, "dimension");
   inside(scene.spacing, 1e-9, 1e9, "spacing");

@@ -2,8 +2,6 @@
 /// Run-time choice of instruction set and sweep.
 #include "kernels/isa/kernel_table.hpp"
 
-#include <array>
-
 namespace scarp::kernels {
 
 namespace {
@@ -32,7 +30,7 @@ PairSweep<float> KernelTable::mixed_sweep_for(const SweepVariant& wanted) const 
 }
 
 std::span<const Isa> available_isas() {
-  static constexpr std::array all{Isa::sse2, Isa::avx2, Isa::avx512};
+  static constexpr Isa all[]{Isa::sse2, Isa::avx2, Isa::avx512};
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
                       __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&

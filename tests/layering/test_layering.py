@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each rule of check_layering.py and check_isa_symbols.py reports a tree that breaks it, and only then."""
+"""Each rule of check_layering.py, check_isa_symbols.py and check_mutable_state.py reports a tree that breaks it, and only then."""
 import pathlib
 import subprocess
 import sys
@@ -9,6 +9,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import check_isa_symbols
 import check_layering
+import check_mutable_state
 
 CLEAN = {
     "cmake/install.cmake": "set(scarp_public_headers engine/simulation.hpp)",
@@ -97,7 +98,30 @@ class CheckIsaSymbolsTest(unittest.TestCase):
         self.assertNotEqual(self.found_in(source, source), [])
 
 
+class CheckMutableStateTest(unittest.TestCase):
+    COMPILER, OBJDUMP = "c++", "objdump"
+
+    def found_in(self, source):
+        with tempfile.TemporaryDirectory() as root:
+            path = pathlib.Path(root, "a.cpp")
+            path.write_text("namespace scarp { extern int read; " + source + " }")
+            subprocess.run([self.COMPILER, "-c", "-O2", "-fPIC", str(path), "-o", str(path) + ".o"], check=True)
+            return list(check_mutable_state.violations(self.OBJDUMP, [str(path) + ".o"]))
+
+    def test_accepts_constants_and_tables_of_pointers(self):
+        self.assertEqual(self.found_in("""extern const int fixed = 3; void f(); extern void (*const calls[])() = {f};
+                                          const char* name() { static const char text[] = "x"; return text; }"""), [])
+
+    def test_reports_what_can_be_written(self):
+        for source in ("int count = 0;", "int count = 1;", "thread_local int count;",
+                       "int next() { static int count = 5; return ++count; }",
+                       "extern int made(); int once() { static const int value = made(); return value; }"):
+            with self.subTest(source):
+                self.assertNotEqual(self.found_in(source), [])
+
+
 if __name__ == "__main__":
-    if len(sys.argv) > 2:
+    if len(sys.argv) > 3:
         CheckIsaSymbolsTest.COMPILER, CheckIsaSymbolsTest.NM = sys.argv[1:3]
+        CheckMutableStateTest.COMPILER, CheckMutableStateTest.OBJDUMP = sys.argv[1], sys.argv[3]
     unittest.main(argv=sys.argv[:1])

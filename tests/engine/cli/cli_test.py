@@ -186,6 +186,21 @@ cfl = 1.5
             self.assertEqual((done.returncode, done.stdout), (1, ""))
             self.assertIn(scene, done.stderr)
 
+    def test_a_scene_that_cannot_be_run_leaves_nothing(self):
+        for change in (("0.3", "0.7"), ("spacing = 0.5", "spacing = 1e-6"), ("[[-2, 0], [6, 0]]", "[[6, 0], [-2, 0]]"),
+                       ('name = "short"', 'name = "../../short"')):
+            (self.folder / "bad.toml").write_text(SCENE.replace(*change))
+            before = sorted(self.folder.rglob("*"))
+            done = self.scarp("run", "bad.toml")
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertRegex(done.stderr, r"bad\.toml:\d+: key '.*' = .*: .* Try ")
+            self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+    def test_a_run_writes_in_its_folder_only(self):
+        before = set(self.folder.iterdir())
+        self.assertEqual(self.scarp("run", "block.toml", "-o", "here", "--quiet").returncode, 0)
+        self.assertEqual(set(self.folder.iterdir()) - before, {self.folder / "here"})
+
     def test_bad_usage_exits_2(self):
         for arguments in ([], ["run"], ["fly"], ["run", "block.toml", "--isa", "mmx"],
                           ["run", "block.toml", "--spacing", "1 kg"], ["report", "nowhere"]):

@@ -1,154 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run that is stopped, killed or short of disk goes on to the very same end.
+"""A run that is stopped or killed goes on to the very same end.
 
 Usage: resume_test.py PATH_OF_SCARP [--kills N] [TEST...]"""
 
-import fcntl
 import json
 import os
-import pathlib
 import random
-import resource
 import shutil
 import signal
-import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
-import h5py
-import numpy
+from slide_run import SLIDE, SlideRun
 
-SCARP = sys.argv.pop(1)
 KILLS = 4
 if "--kills" in sys.argv:
     place = sys.argv.index("--kills")
     KILLS = int(sys.argv[place + 1])
     del sys.argv[place:place + 2]
 
-SLIDE = """title = "Slide"
-dimension = 2
-spacing = "0.5 m"
-preset = "PRESET"
-[[material]]
-name = "clay"
-density = 2000.0
-youngs_modulus = "100 MPa"
-poisson_ratio = 0.3
-cohesion = "2 kPa"
-friction_angle = "20 deg"
-[[body]]
-material = "clay"
-polygon = [[0, 0], [24, 0], [24, 5], [20, 5], [12, 13], [0, 13]]
-[[wall]]
-name = "base"
-kind = "no_slip"
-line = [[0, 0], [24, 0]]
-[[wall]]
-name = "left"
-kind = "free_slip"
-line = [[0, 20], [0, 0]]
-[[wall]]
-name = "right"
-kind = "free_slip"
-line = [[24, 0], [24, 20]]
-motion = {velocity = [0.5, 0], from = "fail"}
-[initial]
-stress = "geostatic"
-[[stage]]
-name = "settle"
-duration = "0.1 s"
-[[stage]]
-name = "fail"
-strength_reduction = 2
-duration = "0.9 s"
-[[probe]]
-name = "crest"
-at = [12, 13]
-[output]
-every = "50 ms"
-energy = true
-[checkpoint]
-every = "20 ms"
-on_error = "stop"
-"""
 
-
-def state_of(checkpoint):
-    """Every dataset but the time that the run took."""
-    found = {}
-    with h5py.File(checkpoint, "r") as file:
-        file.visititems(lambda name, item: found.update({name: numpy.array(item)})
-                        if isinstance(item, h5py.Dataset) and name != "outputs/wall_seconds" else None)
-    return found
-
-
-class ResumeTest(unittest.TestCase):
-    preset = "modern"
-
-    @classmethod
-    def setUpClass(cls):
-        cls.shared = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.shared.cleanup)
-        cls.undisturbed = None
-
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = pathlib.Path(self.temporary.name)
-        self.addCleanup(self.temporary.cleanup)
-        (self.folder / "slide.toml").write_text(SLIDE.replace("PRESET", self.preset))
-
-    def scarp(self, *arguments, **options):
-        return subprocess.run([SCARP, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=100,
-                              check=False, **options)
-
-    def start(self, *arguments):
-        process = subprocess.Popen([SCARP, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.PIPE, text=True)
-        self.addCleanup(process.stderr.close)
-        return process
-
-    def checkpoints(self, run):
-        return sorted((self.folder / run / "checkpoints").glob("step_*.h5"))
-
-    def wait_for_checkpoints(self, run, count=1):
-        end = time.monotonic() + 60
-        while len(self.checkpoints(run)) < count:
-            self.assertLess(time.monotonic(), end, "no checkpoint came")
-            time.sleep(0.002)
-
-    def whole(self):
-        """A copy of the run that was left alone."""
-        cls = type(self)
-        if cls.undisturbed is None:
-            began = time.monotonic()
-            done = self.scarp("run", "slide.toml", "-o", cls.shared.name + "/whole", "--threads", "1", "-q")
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            cls.undisturbed = pathlib.Path(cls.shared.name) / "whole"
-            cls.takes = time.monotonic() - began
-        shutil.copytree(cls.undisturbed, self.folder / "whole")
-        return self.folder / "whole"
-
-    def expect_equal_runs(self, whole, other):
-        """Tables and frames byte for byte, the state at the end bit for bit."""
-        names = sorted(p.relative_to(whole) for p in [*whole.glob("*.csv"), *(whole / "frames").iterdir()])
-        self.assertEqual(names, sorted(p.relative_to(other) for p in [*other.glob("*.csv"),
-                                                                      *(other / "frames").iterdir()]))
-        self.assertGreater(len(names), 20)
-        for name in names:
-            self.assertEqual((whole / name).read_bytes(), (other / name).read_bytes(), name)
-        one, two = self.checkpoints(whole.name), self.checkpoints(other.name)
-        self.assertEqual([p.name for p in one], [p.name for p in two])
-        self.assertEqual(len(one), 2)
-        first, second = state_of(one[-1]), state_of(two[-1])
-        self.assertEqual(first.keys(), second.keys())
-        for name, values in first.items():
-            self.assertEqual(values.tobytes(), second[name].tobytes(), name)
-        results = [json.loads((run / "results.json").read_text()) for run in (whole, other)]
-        for key in ("complete", "steps", "stages", "measures", "simulated_s"):
-            self.assertEqual(results[0][key], results[1][key], key)
-
+class ResumeTest(SlideRun):
     def test_a_signal_leaves_a_checkpoint_and_resume_goes_on(self):
         whole = self.whole()
         for k, number in enumerate((signal.SIGTERM, signal.SIGINT)):
@@ -243,15 +116,6 @@ class ResumeTest(unittest.TestCase):
             self.assertIn(name.rsplit("/", maxsplit=1)[-1], done.stderr)
             shutil.rmtree(run)
 
-    def test_two_runs_do_not_share_a_folder(self):
-        (self.folder / "out").mkdir()
-        with open(self.folder / "out" / ".lock", "w", encoding="utf-8") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            done = self.scarp("run", "slide.toml", "-o", "out")
-            self.assertEqual(done.returncode, 1)
-            self.assertIn("another run is writing there", done.stderr)
-            self.assertEqual([p.name for p in (self.folder / "out").iterdir()], [".lock"])
-
     def test_a_new_run_forgets_the_checkpoints_of_the_old_one(self):
         self.whole()
         (self.folder / "slide.toml").write_text(SLIDE.replace("PRESET", self.preset).replace("2 kPa", "3 kPa"))
@@ -266,52 +130,6 @@ class ResumeTest(unittest.TestCase):
         other = self.scarp("run", "slide.toml", "-o", "other", "-q")
         self.assertEqual(other.returncode, 0)
         self.expect_equal_runs(self.folder / "other", self.folder / "whole")
-
-    def limited(self, size, *arguments):
-        """With files of `size` bytes at most: a write beyond fails as on a full disk."""
-        return self.scarp(*arguments, restore_signals=False,  # SIGXFSZ stays ignored
-                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
-
-    def test_a_checkpoint_that_cannot_be_written(self):
-        whole = self.whole()
-        size = self.checkpoints("whole")[0].stat().st_size
-        largest_output = max(p.stat().st_size for p in [*whole.glob("*.csv"), *(whole / "frames").iterdir()])
-        self.assertLess(largest_output, size // 2)
-        stopped = self.limited(size // 2, "run", "slide.toml", "-o", "full", "-q")
-        self.assertEqual(stopped.returncode, 1)
-        self.assertIn("File too large", stopped.stderr)
-        self.assertIn("scarp resume full", stopped.stderr)
-        self.assertEqual(list((self.folder / "full" / "checkpoints").iterdir()), [])
-        self.assertEqual(self.scarp("resume", "full", "-q").returncode, 0)
-        self.expect_equal_runs(whole, self.folder / "full")
-        scene = (self.folder / "slide.toml").read_text()
-        (self.folder / "slide.toml").write_text(scene.replace('"stop"', '"continue"'))
-        going = self.limited(size // 2, "run", "slide.toml", "-o", "on", "-q")
-        self.assertEqual(going.returncode, 0, going.stderr)
-        self.assertIn("The run goes on.", going.stderr)
-        self.assertEqual((whole / "probes.csv").read_bytes(), (self.folder / "on" / "probes.csv").read_bytes())
-
-    def test_a_frame_or_table_that_cannot_be_written_stops_the_run(self):
-        whole = self.whole()
-        frame = (whole / "frames" / "soil_00000.hdf").stat().st_size
-        (self.folder / "slide.toml").write_text(SLIDE.replace("PRESET", self.preset) + 'wall_every = 0\n')
-        for size, word in ((frame // 2, "soil_00000.hdf"), (2000, ".csv")):
-            scene = (self.folder / "slide.toml").read_text()
-            if word == ".csv":
-                (self.folder / "slide.toml").write_text(scene.replace("energy = true", "frames = false"))
-            stopped = self.limited(size, "run", "slide.toml", "-o", "short", "-q")
-            self.assertEqual(stopped.returncode, 1)
-            self.assertIn(word, stopped.stderr)
-
-    def test_a_folder_that_vanishes_stops_the_run(self):
-        process = self.start("run", "slide.toml", "-o", "vanishing", "--threads", "1")
-        self.wait_for_checkpoints("vanishing")
-        (self.folder / "vanishing").rename(self.folder / "elsewhere")
-        said = process.stderr.read()
-        self.assertEqual(process.wait(60), 1)
-        self.assertIn("vanishing", said)
-        self.assertEqual(self.scarp("resume", "elsewhere", "-q").returncode, 0)
-        self.expect_equal_runs(self.whole(), self.folder / "elsewhere")
 
     def test_errors_are_told(self):
         (self.folder / "empty").mkdir()

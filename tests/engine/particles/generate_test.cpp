@@ -251,7 +251,7 @@ TEST(GenerateSoilTest, EmptyBodyIsNamed) {
   const Body big{0, Box{{0, 0, 0}, {2, 2, 0}}, {}};
   const Body small{0, Box{{3.3, 0.3, 0}, {3.4, 0.4, 0}}, {}};
   const std::string message = error_of(scene_of(2, 0.5, {big, small}));
-  EXPECT_NE(message.find("body 2 of 2 (box from (3.3, 0.3) to (3.4, 0.4)): holds no particle at "
+  EXPECT_NE(message.find("key 'body[1]' = box from (3.3, 0.3) to (3.4, 0.4): holds no particle at "
                          "spacing 0.5 m"),
             std::string::npos)
       << message;
@@ -261,7 +261,7 @@ TEST(GenerateSoilTest, BodyInsideAnEarlierOneIsNamed) {
   const Body big{0, Box{{0, 0, 0}, {2, 2, 0}}, {}};
   const Body inner{0, Box{{0.5, 0.5, 0}, {1.5, 1.5, 0}}, {}};
   const std::string message = error_of(scene_of(2, 0.5, {big, inner}));
-  EXPECT_NE(message.find("body 2 of 2"), std::string::npos) << message;
+  EXPECT_NE(message.find("key 'body[1]' = "), std::string::npos) << message;
   EXPECT_NE(message.find("wholly inside"), std::string::npos) << message;
 }
 

@@ -245,8 +245,7 @@ TEST(SceneReaderTest, MadeInCodeNamesTheKeyWithoutALine) {
 }
 
 TEST(SceneReaderTest, ExamplesOfTheReferenceAreGoodScenes) {
-  const auto page =
-      std::filesystem::path(__FILE__).parent_path() / "../../../engine/scene/SCENE.md";
+  const auto page = std::filesystem::path(SCARP_SOURCE_DIR) / "engine/scene/SCENE.md";
   std::ifstream file(page);
   ASSERT_TRUE(file) << page;
   std::string line, scene;
@@ -265,6 +264,16 @@ TEST(SceneReaderTest, ExamplesOfTheReferenceAreGoodScenes) {
     }
   }
   EXPECT_EQ(examples, 3);
+}
+
+TEST(SceneReaderTest, EveryFileOfTheFuzzingCorpusIsAGoodScene) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(SCARP_SOURCE_DIR) / "tests/fuzz/corpus")) {
+    EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 20);  // fewer leave whole sections to chance
 }
 
 TEST(SceneReaderTest, FilesAreNamedAndMissingOnesReported) {

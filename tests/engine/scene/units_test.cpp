@@ -57,7 +57,7 @@ TEST(UnitsTest, NamesWhatIsAcceptedWhenItRefuses) {
   const Bad table[] = {
       {"20 deg", Unit::length,
        "'deg' is the unit of an angle, but a length is needed. Try one of m, mm"},
-      {"20 kpa", Unit::pressure, "unknown unit 'kpa' for a pressure. Try one of Pa, kPa, MPa"},
+      {"20 kpa", Unit::pressure, "unknown unit 'kpa' for a pressure. Did you mean 'kPa'?"},
       {"20", Unit::length, "no unit. Try one of m, mm, cm, km"},
       {"", Unit::time, "a time is needed"},
       {"   ", Unit::time, "a time is needed"},

@@ -176,8 +176,8 @@ double passive_coefficient_in_bands(double coaxial) {
 void judge_pressure(CaseRun& run, const std::string& preset, double spacing, Pressure pressure,
                     bool smooth_base, bool dilatant, std::optional<Simulation>& last) {
   Scene scene = run.scene_at(spacing, preset);
-  scene = yielding(std::move(scene), pressure, smooth_base,
-                   dilatant ? scene.materials.front().parameters[3] : 0.0);
+  const double dilation = dilatant ? scene.materials.front().parameters[3] : 0.0;
+  scene = yielding(std::move(scene), pressure, smooth_base, dilation);
   const double passive = passive_coefficient(scene.materials.front());
   const double weakest = dilatant ? passive : passive_coefficient_in_bands(passive);
   const bool active = pressure == Pressure::active;

@@ -228,8 +228,7 @@ void place_walls(State& state) {
   }
   state.walls = Walls(moved, has_dummies, cell, state.scaling.inverse_smoothing_length);
   state.placed_wall_offset = state.built_wall_offset = state.wall_offset;
-  state.records =
-      Records(state.particles.slots(), state.walls.slots());
+  state.records = Records(state.particles.slots(), state.walls.slots());
   state.lists_valid = false;
 }
 

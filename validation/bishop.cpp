@@ -199,10 +199,12 @@ BishopResult bishop_search(const Slope& slope, int slices) {
     const double before = search.best()->factor_of_safety;
     const Trial at = search.trial();
     // All 26 neighbours: the valley of constant depth runs across the axes.
+    // NOLINTBEGIN(bugprone-integer-division): the digits of n to the base 3
     for (int n = 0; n < 27; ++n) {
       search.attempt({at[0] + (n % 3 - 1) * step[0], at[1] + (n / 3 % 3 - 1) * step[1],
                       at[2] + (n / 9 - 1) * step[2]});
     }
+    // NOLINTEND(bugprone-integer-division)
     if (search.best()->factor_of_safety >= before) {
       for (double& s : step) s *= 0.5;
     }

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
@@ -30,8 +29,7 @@ std::filesystem::path report_script() {
   if (const char* chosen = std::getenv("SCARP_REPORT"); chosen && *chosen) return chosen;
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed =
-      program.parent_path().parent_path() / "share/scarp/report/scarp_report.py";
+  fs::path installed = program.parent_path().parent_path() / "share/scarp/report/scarp_report.py";
   if (!error && fs::exists(installed, error)) return installed;
   return SCARP_REPORT_SCRIPT;
 }
@@ -61,7 +59,7 @@ int report_command(const std::string& folder, bool silent) {
     throw FileError(
         fmt::format("'{}': cannot be started: {}. The report needs Debian's python3, "
                     "python3-matplotlib and python3-h5py.",
-                    interpreter, std::strerror(problem)));
+                    interpreter, std::generic_category().message(problem)));
   }
   int status = 0;
   if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status)) return failed;

@@ -174,7 +174,7 @@ void locate_facet(const SceneProblem& problem, const toml::table& document,
 Scene read_scene_text(std::string_view text, const std::string& name,
                       const SceneOverrides& overrides) {
   const toml::table document = parse(text, name);
-  const Scene scene = read_document(Value(document, "", name), name, overrides);
+  Scene scene = read_document(Value(document, "", name), name, overrides);
   try {
     validate(scene);
   } catch (const SceneProblem& problem) {

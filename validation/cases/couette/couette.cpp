@@ -83,7 +83,8 @@ Scene layer(Scene scene, double length, int dimension) {
   Box& box = std::get<Box>(scene.bodies.front().shape);
   box.minimum[0] = -0.5 * length;
   box.maximum[0] = 0.5 * length;
-  return dimension == 2 ? scene : extruded(std::move(scene), 4.0 * scene.spacing);
+  const double depth = 4.0 * scene.spacing;
+  return dimension == 2 ? scene : extruded(std::move(scene), depth);
 }
 
 /// Force per length far from the ends, over the closed form: the ends of a long and a short layer

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -34,13 +35,13 @@ enum class StepLimit {
   stage_end,
   near_yield
 };
-inline constexpr std::array step_limit_names{"acoustic",  "approach", "force",     "viscous",
-                                             "diffusion", "growth",   "stage_end", "near_yield"};
+inline constexpr const char* step_limit_names[]{"acoustic",  "approach", "force",     "viscous",
+                                                "diffusion", "growth",   "stage_end", "near_yield"};
 inline const char* name_of(StepLimit limit) {
   return step_limit_names[static_cast<std::size_t>(limit)];
 }
 /// How many steps each limit has set.
-using StepLimitCounts = std::array<std::uint64_t, step_limit_names.size()>;
+using StepLimitCounts = std::array<std::uint64_t, std::size(step_limit_names)>;
 
 /// What the last step did.
 struct StepReport {

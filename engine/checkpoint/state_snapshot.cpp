@@ -85,7 +85,7 @@ void exchange(Archive& a, AnyState& state) {
   a.number("lists/walls_moved", "m", state.walls_moved);
   a.integer("counts/density_bounds", state.density_bounds);
   a.integer("counts/face_holds", state.holds);
-  for (std::size_t k = 0; k < step_limit_names.size(); ++k)
+  for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
     a.integer(fmt::format("counts/steps_by_{}", step_limit_names[k]).c_str(),
               state.limit_counts[k]);
   auto& ledger = state.ledger;

@@ -53,7 +53,7 @@ Json probe(const Simulation& start) {
   const double time_step = last.step > 0 ? last.time / steps : last.time_step;
   json["steps"] = last.step;
   json["time_step"] = time_step;
-  for (std::size_t k = 0; k < step_limit_names.size(); ++k)
+  for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
     json["step_limits"][step_limit_names[k]] = simulation.step_limit_counts()[k];
   json["signal_material"] = scene.materials[last.signal_material].name;
   json["materials"] = materials_of(scene, time_step);

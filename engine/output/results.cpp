@@ -170,7 +170,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
              {{"processor", processor_name()},
               {"hardware_threads", std::thread::hardware_concurrency()}}},
             {"versions", {{"scarp", program_version()}, {"compiler", __VERSION__}}}};
-  for (std::size_t k = 0; k < step_limit_names.size(); ++k)
+  for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
     json["step_limits"][step_limit_names[k]] = simulation.step_limit_counts()[k];
   for (const Retry& retry : results.retries) {
     json["retries"].push_back({{"step", retry.step},

@@ -21,10 +21,9 @@ struct Point {
 std::size_t longest_side(std::span<const Point> points) {
   std::array<double, 3> length{};
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto [low, high] =
-        std::minmax_element(points.begin(), points.end(), [a](const Point& p, const Point& q) {
-          return p.position[a] < q.position[a];
-        });
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(),
+        [a](const Point& p, const Point& q) { return p.position[a] < q.position[a]; });
     length[a] = high->position[a] - low->position[a];
   }
   return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
@@ -53,20 +52,20 @@ double ordered(const double* values, std::int32_t slot) {
 
 void compact_clusters(int threads, const PointSpan& points, int cluster_size,
                       std::span<std::int32_t> slots) {
-  parallel_chunks(threads, static_cast<std::int64_t>(slots.size()), block_size,
-                  [&](std::int64_t begin, std::int64_t end) {
-                    std::array<Point, block_size> block;
-                    std::size_t count = 0;
-                    for (std::int64_t k = begin; k < end; ++k) {
-                      const std::int32_t slot = slots[static_cast<std::size_t>(k)];
-                      block[count++] = {{ordered(points.x, slot), ordered(points.y, slot),
-                                         ordered(points.z, slot)},
-                                        slot};
-                    }
-                    halve(std::span(block).first(count), static_cast<std::size_t>(cluster_size));
-                    for (std::size_t k = 0; k < count; ++k)
-                      slots[static_cast<std::size_t>(begin) + k] = block[k].slot;
-                  });
+  parallel_chunks(
+      threads, static_cast<std::int64_t>(slots.size()), block_size,
+      [&](std::int64_t begin, std::int64_t end) {
+        std::array<Point, block_size> block;
+        std::size_t count = 0;
+        for (std::int64_t k = begin; k < end; ++k) {
+          const std::int32_t slot = slots[static_cast<std::size_t>(k)];
+          block[count++] = {
+              {ordered(points.x, slot), ordered(points.y, slot), ordered(points.z, slot)}, slot};
+        }
+        halve(std::span(block).first(count), static_cast<std::size_t>(cluster_size));
+        for (std::size_t k = 0; k < count; ++k)
+          slots[static_cast<std::size_t>(begin) + k] = block[k].slot;
+      });
 }
 
 }  // namespace scarp

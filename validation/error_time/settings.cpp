@@ -65,7 +65,7 @@ std::vector<std::string> axis_names() {
 }
 
 std::vector<std::string> parse_axes(const std::vector<std::string>& given) {
-  const std::vector<std::string> all = axis_names();
+  std::vector<std::string> all = axis_names();
   if (given.empty()) return all;
   std::vector<std::string> chosen;
   for (const std::string& list : given) {

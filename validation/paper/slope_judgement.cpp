@@ -17,7 +17,8 @@ constexpr const char* end_of_slide = "end of the slide [s]";
 std::vector<Outcome> runs_of(const std::vector<ReadingOutcomes>& readings) {
   std::vector<Outcome> runs;
   for (const ReadingOutcomes& reading : readings) {
-    for (const auto& [shape, outcome] : reading.outcomes) {
+    for (const auto& entry : reading.outcomes) {
+      const Outcome& outcome = entry.second;
       const bool known = std::any_of(runs.begin(), runs.end(), [&](const Outcome& other) {
         return other.name == outcome.name;
       });

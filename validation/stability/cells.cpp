@@ -62,7 +62,7 @@ class Map {
 Change youngs(double e) {
   return [e](Cell& cell) { cell.scene.materials[0].parameters[0] = e; };
 }
-Change material(Material m) {
+Change material(const Material& m) {
   return [m](Cell& cell) { cell.scene.materials[0] = m; };
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using kernels::Cone;
 
-constexpr double fill_height = 0.144, box_length = 0.3;  // [m]
+constexpr double fill_height = 0.144;  // [m]
 
 StudyRun collapse(const CaseRun& run, double spacing, Cone cone) {
   StudyRun study;

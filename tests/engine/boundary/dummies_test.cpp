@@ -315,7 +315,8 @@ TEST(GenerateDummiesTest, FacetShorterThanASpacingIsRefused) {
     FAIL() << "no error";
   } catch (const SceneError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("key 'wall[0]' = 'wall': a facet is 0.4 m long"), std::string::npos) << message;
+    EXPECT_NE(message.find("key 'wall[0]' = 'wall': a facet is 0.4 m long"), std::string::npos)
+        << message;
   }
 }
 
@@ -332,7 +333,8 @@ TEST(WallClearanceTest, SoilBehindAReversedLineIsNamed) {
     FAIL() << "no error";
   } catch (const SceneError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("key 'wall[0]' = 'wall': the soil particle at (0.25, 0.25) lies 0.25 m behind"),
+    EXPECT_NE(message.find(
+                  "key 'wall[0]' = 'wall': the soil particle at (0.25, 0.25) lies 0.25 m behind"),
               std::string::npos)
         << message;
   }

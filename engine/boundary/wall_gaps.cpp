@@ -17,24 +17,32 @@ using namespace geometry;
 
 namespace {
 
-/// Points of the edges of a facet: its two ends in 2D, every spacing around it in 3D.
-std::vector<Vec3> edge_points(const Facet& facet, int dimension, double spacing) {
+/// A point of the edge of a facet, and the way out of the facet across that edge.
+struct EdgePoint {
+  Vec3 place{};
+  Vec3 outward{};
+};
+
+/// The two ends of a facet in 2D, points every spacing around it in 3D.
+std::vector<EdgePoint> edge_points(const Facet& facet, int dimension, double spacing) {
   const auto at = [&facet](double u, double v) {
     return plus(plus(facet.origin, u, facet.tangent_u), v, facet.tangent_v);
   };
-  if (dimension == 2) return {at(0.0, 0.0), at(facet.length_u, 0.0)};
-  std::vector<Vec3> points;
+  const Vec3 u_out = facet.tangent_u, v_out = facet.tangent_v;
+  const Vec3 u_back = minus(Vec3{}, u_out), v_back = minus(Vec3{}, v_out);
+  if (dimension == 2) return {{at(0.0, 0.0), u_back}, {at(facet.length_u, 0.0), u_out}};
+  std::vector<EdgePoint> points;
   const auto along = [&](double length, auto&& point) {
     const int steps = static_cast<int>(std::clamp(std::ceil(length / spacing), 1.0, 1e5));
     for (int k = 0; k <= steps; ++k) point(length * k / steps);
   };
   along(facet.length_u, [&](double u) {
-    points.push_back(at(u, 0.0));
-    points.push_back(at(u, facet.length_v));
+    points.push_back({at(u, 0.0), v_back});
+    points.push_back({at(u, facet.length_v), v_out});
   });
   along(facet.length_v, [&](double v) {
-    points.push_back(at(0.0, v));
-    points.push_back(at(facet.length_u, v));
+    points.push_back({at(0.0, v), u_back});
+    points.push_back({at(facet.length_u, v), u_out});
   });
   return points;
 }
@@ -67,14 +75,14 @@ Nearest nearest_other(const Scene& scene, const Facet& facet, const Vec3& point)
 std::vector<std::string> wall_gaps(const Scene& scene) {
   const double touching = 1e-6 * scene.spacing;
   const double reach = 2.0 * scene.numerics.smoothing_ratio * scene.spacing;
-  constexpr double beside = 0.7;  // within 45 degrees of the facet's plane
+  constexpr double ahead = 0.7;  // within 45 degrees of the way out
   std::vector<std::string> found;
   for (const Wall& wall : scene.walls) {
     for (const Facet& facet : wall.facets) {
-      for (const Vec3& point : edge_points(facet, scene.dimension, scene.spacing)) {
+      for (const auto& [point, outward] : edge_points(facet, scene.dimension, scene.spacing)) {
         const Nearest other = nearest_other(scene, facet, point);
         if (other.distance <= touching || other.distance > reach) continue;
-        if (std::abs(dot(other.way, facet.normal)) > beside * other.distance) continue;
+        if (dot(other.way, outward) < ahead * other.distance) continue;
         found.push_back(fmt::format(
             "wall '{}' ends at {}, {:.3g} m from wall '{}': soil can leak through the gap. Try to "
             "let them meet.",

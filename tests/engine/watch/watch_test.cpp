@@ -208,6 +208,22 @@ TEST(HandledTest, AMaterialWithoutBodyIsNamedAndHarmless) {
   EXPECT_GT(run_steps(scene, 20).last_step().time_step, 1e-3);
 }
 
+TEST(HandledTest, AGapIsLookedForAcrossTheEdgesOfFacesIn3D) {
+  Scene scene = elastic_column("modern", 2.0, 0.1);
+  scene.dimension = 3;
+  scene.walls.resize(1);
+  scene.walls[0].name = "floor";
+  scene.walls.push_back(scene.walls[0]);
+  scene.walls[1].name = "side";
+  scene.walls[0].facets = {{{}, {1, 0, 0}, {0, 1, 0}, 1.0, 1.0, {0, 0, 1}}};
+  scene.walls[1].facets = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 1.0, {-1, 0, 0}}};
+  EXPECT_FALSE(warns(scene, "gap"));
+  scene.walls[0].facets[0].length_u = 0.85;
+  EXPECT_TRUE(warns(scene, "wall 'floor' ends at (0.85, 0, 0), 0.15 m from wall 'side'"));
+  scene.walls[0].facets[0].length_u = 0.5;  // farther than soil reaches: two walls, no gap
+  EXPECT_FALSE(warns(scene, "gap"));
+}
+
 TEST(HandledTest, AGapBetweenWallsIsNamedAndSoilFallsThrough) {
   Scene scene = elastic_column("modern", 2.0, 0.1);
   EXPECT_FALSE(warns(scene, "gap"));

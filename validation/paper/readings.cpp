@@ -123,10 +123,12 @@ std::vector<ReadingOutcomes> run_readings(CaseRun& run, const ReadingPlan& plan)
     one.reading = reading.name;
     for (const SlopeShape shape : plan.shapes) {
       const StudyRun study = study_run(run, reading, shape);
-      if (known.count(study.folder) == 0) {
-        known[study.folder] = outcome_of(run, study, observer_of(Slope3d(shape, reading.size)));
+      auto place = known.find(study.folder);
+      if (place == known.end()) {
+        Outcome outcome = outcome_of(run, study, observer_of(Slope3d(shape, reading.size)));
+        place = known.emplace(study.folder, std::move(outcome)).first;
       }
-      one.outcomes[shape] = known[study.folder];
+      one.outcomes[shape] = place->second;
     }
     all.push_back(std::move(one));
   }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Steps, counts, margin and forecast.
+/// Steps, counts and margin.
 #include "engine/cli/probe_check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/watch/stability_margin.hpp"
 
@@ -35,11 +33,9 @@ Json materials_of(const Scene& scene, double step_of_fastest) {
 }  // namespace
 
 Json probe(const Simulation& start) {
-  using Clock = std::chrono::steady_clock;
   Simulation simulation = start.clone();
   const Scene& scene = simulation.scene();
   Json json;
-  const Clock::time_point began = Clock::now();
   std::string failure;
   try {
     for (int k = 0; k < probed_steps && !simulation.finished(); ++k) simulation.step();
@@ -47,7 +43,6 @@ Json probe(const Simulation& start) {
   } catch (const SimulationInstability& instability) {
     failure = instability.what();
   }
-  const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
   const StepReport& last = simulation.last_step();
   const auto steps = static_cast<double>(std::max<std::uint64_t>(last.step, 1));
   const double time_step = last.step > 0 ? last.time / steps : last.time_step;
@@ -62,8 +57,6 @@ Json probe(const Simulation& start) {
   json["margin"] = {{"stable", margin.stable},
                     {"unstable", margin.unstable > 0.0 ? Json(margin.unstable) : Json()}};
   json["acoustic_cfl_limit"] = simulation.acoustic_cfl_limit();
-  json["expected_steps"] = std::ceil(total_duration(scene) / time_step);
-  json["expected_wall_s"] = total_duration(scene) / time_step * seconds / steps;
   json["failure"] = failure.empty() ? Json() : Json(failure);
   return json;
 }
@@ -98,8 +91,6 @@ void print_probe(const Json& probed) {
   }
   fmt::print("  closed form for sound on the undisturbed lattice: cfl = {:.3g}\n",
              probed["acoustic_cfl_limit"].get<double>());
-  fmt::print("  forecast: {:.0f} steps, {}\n", probed["expected_steps"].get<double>(),
-             readable_duration(probed["expected_wall_s"].get<double>()));
   if (!probed["failure"].is_null())
     fmt::print("  The probe became unstable: {}\n", probed["failure"].get<std::string>());
 }

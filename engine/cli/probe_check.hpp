@@ -10,8 +10,7 @@ namespace scarp::cli {
 
 /// Steps a simulation at its start a few hundred times, then tries longer steps on copies. As JSON:
 /// steps, time_step, step_limits, signal_material, materials (name, sound_speed,
-/// time_step), margin (stable, unstable), acoustic_cfl_limit, expected_steps, expected_wall_s,
-/// failure.
+/// time_step), margin (stable, unstable), acoustic_cfl_limit, failure.
 nlohmann::ordered_json probe(const Simulation& start);
 
 /// The same for people.

@@ -1,43 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Every compiled pair sweep against the scalar reference, and closed forms that need no reference.
-#include <gtest/gtest.h>
-
+/// Every compiled pair sweep against the scalar reference.
 #include <map>
 #include <string>
 
 #include "engine/sweep/narrow_records.hpp"
-#include "kernels/constitutive/stress_pass.hpp"
-#include "kernels/isa/kernel_table.hpp"
-#include "tests/support/packed_particles.hpp"
-#include "tests/support/particle_blocks.hpp"
+#include "tests/kernels/pair_sweep_cases.hpp"
 
 namespace scarp::test {
 namespace {
 
 using namespace kernels;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-ReferenceSettings settings_for(ReferenceSmoothing smoothing, int dimension) {
-  ReferenceSettings s;
-  s.dimension = dimension;
-  s.smoothing = smoothing;
-  s.spacing = 0.25;
-  s.smoothing_length = 1.2 * s.spacing;
-  s.lattice_moment = 0.95;
-  s.viscosity_alpha = 0.1;
-  s.viscosity_beta = 0.7;
-  s.gravity = dimension == 2 ? std::array<double, 3>{0.4, -9.8, 0.0}
-                             : std::array<double, 3>{0.4, -1.0, -9.7};
-  return s;
-}
-
-BlockOptions block_for(int dimension) {
-  BlockOptions options;
-  options.dimension = dimension;
-  options.cells = dimension == 2 ? 12 : 6;
-  return options;
-}
 
 std::string describe(const KernelTable& table, const SweepVariant& v) {
   const char* terms[] = {"fused", "gradient", "force"};
@@ -109,39 +81,6 @@ void expect_rates(const std::vector<ReferenceRate>& expected, SweepOutput& out,
   }
 }
 
-/// Velocity gradient and moment of particle i as a sweep left them.
-struct GradientAndMoment {
-  Tensor<double> gradient{};
-  SymTensor<double> moment{0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
-
-  int dimension;
-
-  GradientAndMoment(SweepOutput& out, std::size_t i, int dim) : dimension(dim) {
-    for (int a = 0; a < dimension; ++a) {
-      for (int b = 0; b < dimension; ++b) gradient.m[a][b] = out.field(1 + 3 * a + b)[i];
-    }
-    moment.xx = out.field(10)[i];
-    moment.yy = out.field(11)[i];
-    moment.xy = out.field(13)[i];
-    if (dimension == 2) return;
-    moment.zz = out.field(12)[i];
-    moment.yz = out.field(14)[i];
-    moment.zx = out.field(15)[i];
-  }
-  double determinant() const {
-    const SymTensor<double>& m = moment;
-    return m.xx * (m.yy * m.zz - m.yz * m.yz) - m.xy * (m.xy * m.zz - m.yz * m.zx) +
-           m.zx * (m.xy * m.yz - m.yy * m.zx);
-  }
-  double smallest() const {
-    return dimension == 2 ? smallest_moment_determinant<2> : smallest_moment_determinant<3>;
-  }
-  Tensor<double> corrected() const {
-    return dimension == 2 ? corrected_gradient<2>(gradient, moment)
-                          : corrected_gradient<3>(gradient, moment);
-  }
-};
-
 /// Particles without the parts that a variant does not use.
 std::vector<ReferenceRate> reference_for(ReferenceParticles p, ReferenceSettings s, bool viscosity,
                                          bool tension) {
@@ -152,7 +91,7 @@ std::vector<ReferenceRate> reference_for(ReferenceParticles p, ReferenceSettings
   return pair_sweep_reference(p, s);
 }
 
-class PairSweepTest : public testing::TestWithParam<std::tuple<ReferenceSmoothing, int>> {
+class PairSweepTest : public testing::TestWithParam<SweepCase> {
  protected:
   const int dimension_ = std::get<1>(GetParam());
   const ReferenceSettings settings_ = settings_for(std::get<0>(GetParam()), dimension_);
@@ -296,114 +235,7 @@ TEST_P(PairSweepTest, WritesOnlyItsOwnClusters) {
   }
 }
 
-TEST_P(PairSweepTest, LinearVelocityFieldHasItsGradientExactlyAfterCorrection) {
-  BlockOptions options = block_for(dimension_);
-  options.walls = false;
-  ReferenceParticles p = random_block(options, 11);
-  double field[3][3] = {{0.3, -1.2, 0.8}, {2.1, -0.4, 0.5}, {-0.7, 0.6, 0.9}};
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    for (int a = 0; a < dimension_; ++a) {
-      p.velocity[i][a] = 5.0;
-      for (int b = 0; b < dimension_; ++b) p.velocity[i][a] += field[a][b] * p.position[i][b];
-    }
-  }
-  for (const Isa isa : available_isas()) {
-    const KernelTable& table = kernels_of(isa);
-    const PackedParticles packed(p, settings_, table.cluster_size);
-    PairSweepView<double> view = packed.sweep_view(false);
-    SweepOutput out(packed.slots());
-    out.attach(view);
-    table.sweep_for({dimension_, Terms::gradient, false, false, true, false})(
-        view, 0, packed.soil_clusters());
-    int corrected = 0;
-    for (std::size_t i = 0; i < p.soil_count; ++i) {
-      const GradientAndMoment at(out, i, dimension_);
-      const Tensor<double> used = at.corrected();
-      const bool usable = at.determinant() >= at.smallest();
-      corrected += usable;
-      for (int a = 0; a < dimension_; ++a) {
-        for (int b = 0; b < dimension_; ++b) {
-          // Velocities up to 12, gradients of 1/h: eps x 100 terms x 12/h, over a moment of at
-          // least 0.1.
-          const double expected = usable ? field[a][b] : at.gradient.m[a][b];
-          ASSERT_NEAR(used.m[a][b], expected, 1e-11) << table.name << " particle " << i;
-        }
-      }
-    }
-    // Faces included: only corners, in 3D edges, and the stray particle may fall below the
-    // determinant.
-    ASSERT_GE(corrected + (dimension_ == 2 ? 5 : 57), static_cast<int>(p.soil_count));
-  }
-}
-
-TEST_P(PairSweepTest, RigidRotationHasNoStrainAfterCorrection) {
-  BlockOptions options = block_for(dimension_);
-  options.walls = false;
-  ReferenceParticles p = random_block(options, 13);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const auto& x = p.position[i];
-    p.velocity[i] = dimension_ == 2
-                        ? std::array<double, 3>{-2.0 * x[1], 2.0 * x[0], 0.0}
-                        : std::array<double, 3>{0.5 * x[2] - 2.0 * x[1], 2.0 * x[0] + 1.5 * x[2],
-                                                -0.5 * x[0] - 1.5 * x[1]};
-  }
-  for (const Isa isa : available_isas()) {
-    const KernelTable& table = kernels_of(isa);
-    const PackedParticles packed(p, settings_, table.cluster_size);
-    PairSweepView<double> view = packed.sweep_view(false);
-    SweepOutput out(packed.slots());
-    out.attach(view);
-    table.sweep_for({dimension_, Terms::gradient, false, false, true, false})(
-        view, 0, packed.soil_clusters());
-    double plain = 0.0;
-    for (std::size_t i = 0; i < p.soil_count; ++i) {
-      const GradientAndMoment at(out, i, dimension_);
-      if (at.determinant() < at.smallest()) continue;
-      const Tensor<double> used = at.corrected();
-      const SymTensor<double> before = symmetric_part(at.gradient), strain = symmetric_part(used);
-      plain = std::fmax(plain, std::sqrt(contract(before, before)));
-      ASSERT_LT(std::sqrt(contract(strain, strain)), 1e-11) << table.name << " particle " << i;
-      ASSERT_NEAR(used.m[1][0], 2.0, 1e-11);
-    }
-    ASSERT_GT(plain, 0.1);  // the plain gradient strains a body in rigid rotation: the test bites
-  }
-}
-
-TEST_P(PairSweepTest, FreeBlockKeepsItsMomentum) {
-  BlockOptions options = block_for(dimension_);
-  options.walls = false;
-  const ReferenceParticles p = random_block(options, 17);
-  for (const Isa isa : available_isas()) {
-    const KernelTable& table = kernels_of(isa);
-    const PackedParticles packed(p, settings_, table.cluster_size);
-    PairSweepView<double> view = packed.sweep_view(true);
-    SweepOutput out(packed.slots());
-    out.attach(view);
-    table.sweep_for({dimension_, Terms::force, true, true, false, false})(view, 0,
-                                                                          packed.soil_clusters());
-    for (int a = 0; a < dimension_; ++a) {
-      double sum = 0.0, magnitude = 0.0;
-      for (std::size_t i = 0; i < p.soil_count; ++i) {
-        const double force = p.volume[i] * p.density[i] * out.field(16 + a)[i];
-        sum += force;
-        magnitude += std::fabs(force);
-      }
-      ASSERT_GT(magnitude, 0.0);
-      // 64 eps a term as above; the forces themselves are a sum of about ten times larger terms.
-      ASSERT_NEAR(sum, 0.0, 640.0 * epsilon * magnitude) << table.name;
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(AllFunctions, PairSweepTest,
-                         testing::Combine(testing::Values(ReferenceSmoothing::yang_liu,
-                                                          ReferenceSmoothing::cubic_spline,
-                                                          ReferenceSmoothing::wendland_c2),
-                                          testing::Values(2, 3)),
-                         [](const auto& p) {
-                           return std::string(form_of(std::get<0>(p.param)).name) + "_" +
-                                  std::to_string(std::get<1>(p.param)) + "D";
-                         });
+INSTANTIATE_TEST_SUITE_P(AllFunctions, PairSweepTest, all_sweep_cases(), name_of_case);
 
 }  // namespace
 }  // namespace scarp::test

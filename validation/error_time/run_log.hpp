@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What each run gave, kept line by line so that a later call goes on where an earlier one ended.
+/// What each run of a setting gave, and what decides it.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
 #include <string>
 #include <string_view>
 
 #include "engine/scene/scene.hpp"
 #include "validation/error_time/settings.hpp"
+#include "validation/record_log.hpp"
 
 namespace scarp::validation {
 
@@ -45,20 +44,10 @@ struct RunRecord {
 std::string run_key(const Bench& bench, const std::string& case_name, const std::string& scene_text,
                     double spacing, const Numerics& numerics, int repeat);
 
-/// A JSON-lines file of runs. Lines that cannot be read, such as the last one of a killed call,
-/// count as not there.
-class RunLog {
- public:
-  /// Reads what is there. Errors: FileError if it cannot be appended to.
-  explicit RunLog(std::filesystem::path path);
+nlohmann::ordered_json json_of(const RunRecord& record);
+/// False if the status is none; a JSON exception where a field is missing.
+bool read(const nlohmann::ordered_json& json, RunRecord& record);
 
-  const RunRecord* find(const std::string& key) const;
-  /// Appends and flushes. Errors: FileError.
-  void append(const RunRecord& record);
-
- private:
-  std::filesystem::path path_;
-  std::map<std::string, RunRecord> records_;
-};
+using RunLog = RecordLog<RunRecord>;
 
 }  // namespace scarp::validation

@@ -7,12 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/checkpoint/scene_text.hpp"
-#include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
 
 namespace scarp::validation {
@@ -23,56 +21,6 @@ using Json = nlohmann::ordered_json;
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 std::optional<double> optional_of(const Json& json) {
   return json.is_null() ? std::optional<double>{} : json.get<double>();
-}
-double number(const Json& json) { return json.is_null() ? std::nan("") : json.get<double>(); }
-
-Json json_of(const CellRecord& r) {
-  return {{"key", r.key},
-          {"verdict", word(r.verdict)},
-          {"reason", r.reason},
-          {"limit", r.limit},
-          {"stable_cfl", or_null(r.stable_cfl)},
-          {"unstable_cfl", or_null(r.unstable_cfl)},
-          {"energy_gain", r.energy_gain},
-          {"density_low", r.density_low},
-          {"density_high", r.density_high},
-          {"yield_overshoot", r.yield_overshoot},
-          {"lost", r.lost},
-          {"noise", r.noise},
-          {"residual_velocity", r.residual_velocity},
-          {"particles", r.particles},
-          {"steps", r.steps},
-          {"wall_s", r.wall_s}};
-}
-
-std::optional<CellRecord> record_of(const std::string& line) {
-  try {
-    const Json json = Json::parse(line);
-    CellRecord r;
-    r.key = json.at("key");
-    const std::string verdict = json.at("verdict");
-    while (word(r.verdict) != verdict) {
-      if (r.verdict == Verdict::failed) return {};
-      r.verdict = static_cast<Verdict>(static_cast<int>(r.verdict) + 1);
-    }
-    r.reason = json.at("reason");
-    r.limit = json.at("limit");
-    r.stable_cfl = optional_of(json.at("stable_cfl"));
-    r.unstable_cfl = optional_of(json.at("unstable_cfl"));
-    r.energy_gain = number(json.at("energy_gain"));
-    r.density_low = number(json.at("density_low"));
-    r.density_high = number(json.at("density_high"));
-    r.yield_overshoot = number(json.at("yield_overshoot"));
-    r.lost = number(json.at("lost"));
-    r.noise = number(json.at("noise"));
-    r.residual_velocity = number(json.at("residual_velocity"));
-    r.particles = number(json.at("particles"));
-    r.steps = number(json.at("steps"));
-    r.wall_s = number(json.at("wall_s"));
-    return r;
-  } catch (const Json::exception&) {
-    return {};
-  }
 }
 
 std::string setting_of(const Cell& cell) {
@@ -126,28 +74,47 @@ std::string cell_key(const Bench& bench, const Cell& cell) {
                              cell.bisect, cell.steps, cell.displaced, cell.coincident));
 }
 
-CellLog::CellLog(std::filesystem::path path) : path_(std::move(path)) {
-  std::ifstream stream(path_);
-  for (std::string line; std::getline(stream, line);) {
-    if (auto record = record_of(line)) records_[record->key] = *record;
-  }
-  // What was cut short must not swallow the next line.
-  if (!(std::ofstream(path_, std::ios::app) << '\n').flush()) {
-    throw FileError(
-        fmt::format("'{}': cannot be written. Try another folder with -o.", path_.string()));
-  }
+Json json_of(const CellRecord& r) {
+  return {{"key", r.key},
+          {"verdict", word(r.verdict)},
+          {"reason", r.reason},
+          {"limit", r.limit},
+          {"stable_cfl", or_null(r.stable_cfl)},
+          {"unstable_cfl", or_null(r.unstable_cfl)},
+          {"energy_gain", r.energy_gain},
+          {"density_low", r.density_low},
+          {"density_high", r.density_high},
+          {"yield_overshoot", r.yield_overshoot},
+          {"lost", r.lost},
+          {"noise", r.noise},
+          {"residual_velocity", r.residual_velocity},
+          {"particles", r.particles},
+          {"steps", r.steps},
+          {"wall_s", r.wall_s}};
 }
 
-const CellRecord* CellLog::find(const std::string& key) const {
-  const auto found = records_.find(key);
-  return found == records_.end() ? nullptr : &found->second;
-}
-
-void CellLog::append(const CellRecord& record) {
-  std::ofstream stream(path_, std::ios::app);
-  stream << json_of(record).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
-  if (!stream.flush()) throw FileError(fmt::format("'{}': cannot be written.", path_.string()));
-  records_[record.key] = record;
+bool read(const Json& json, CellRecord& r) {
+  r.key = json.at("key");
+  const std::string verdict = json.at("verdict");
+  while (word(r.verdict) != verdict) {
+    if (r.verdict == Verdict::failed) return false;
+    r.verdict = static_cast<Verdict>(static_cast<int>(r.verdict) + 1);
+  }
+  r.reason = json.at("reason");
+  r.limit = json.at("limit");
+  r.stable_cfl = optional_of(json.at("stable_cfl"));
+  r.unstable_cfl = optional_of(json.at("unstable_cfl"));
+  r.energy_gain = number_or_nan(json.at("energy_gain"));
+  r.density_low = number_or_nan(json.at("density_low"));
+  r.density_high = number_or_nan(json.at("density_high"));
+  r.yield_overshoot = number_or_nan(json.at("yield_overshoot"));
+  r.lost = number_or_nan(json.at("lost"));
+  r.noise = number_or_nan(json.at("noise"));
+  r.residual_velocity = number_or_nan(json.at("residual_velocity"));
+  r.particles = number_or_nan(json.at("particles"));
+  r.steps = number_or_nan(json.at("steps"));
+  r.wall_s = number_or_nan(json.at("wall_s"));
+  return true;
 }
 
 std::vector<std::string> map_sentences(const std::vector<CellOutcome>& outcomes) {

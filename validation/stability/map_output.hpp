@@ -3,12 +3,11 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "validation/error_time/run_log.hpp"
+#include "validation/record_log.hpp"
 #include "validation/stability/cell_run.hpp"
 
 namespace scarp::validation {
@@ -16,19 +15,12 @@ namespace scarp::validation {
 /// What decides a cell's record, hashed: the program, its instruction set, threads, scene, lengths.
 std::string cell_key(const Bench& bench, const Cell& cell);
 
-/// One line for each cell that has run; lines that cannot be read count as not there.
-class CellLog {
- public:
-  /// Errors: FileError if it cannot be appended to.
-  explicit CellLog(std::filesystem::path path);
-  const CellRecord* find(const std::string& key) const;
-  /// Errors: FileError.
-  void append(const CellRecord& record);
+nlohmann::ordered_json json_of(const CellRecord& record);
+/// False if the verdict is none; a JSON exception where a field is missing.
+bool read(const nlohmann::ordered_json& json, CellRecord& record);
 
- private:
-  std::filesystem::path path_;
-  std::map<std::string, CellRecord> records_;
-};
+/// One line for each cell that has run.
+using CellLog = RecordLog<CellRecord>;
 
 struct CellOutcome {
   Cell cell;

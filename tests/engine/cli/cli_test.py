@@ -168,7 +168,7 @@ cfl = 1.5
         (self.folder / "column.toml").write_text(COLUMN)
         done = self.scarp("check", "column.toml", "--probe", "--json", "check.json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        for word in ("acoustic", "margin", "closed form", "forecast"):
+        for word in ("acoustic", "margin", "closed form", "run time"):
             self.assertIn(word, done.stdout)
         probe = json.loads((self.folder / "check.json").read_text())["probe"]
         self.assertEqual(probe["step_limits"]["acoustic"], 300)

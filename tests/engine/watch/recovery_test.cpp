@@ -3,6 +3,7 @@
 #include "engine/output/recovery.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -30,7 +31,9 @@ class RecoveryTest : public ::testing::Test {
  protected:
   void SetUp() override { fs::remove_all(folder_); }
   void TearDown() override { fs::remove_all(folder_); }
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "scarp_recovery";
+  // Tests run side by side, each in a process of its own.
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) / ("scarp_recovery_" + std::to_string(getpid()));
 };
 
 TEST_F(RecoveryTest, HalvesUntilTheRunIsStableAndSaysSo) {

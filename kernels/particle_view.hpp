@@ -47,16 +47,25 @@ template <int Dim>
 inline constexpr double smallest_moment_determinant = Dim == 2 ? 0.1 : 0.01;
 
 /// Most that the velocity of a dummy lies beyond that of its wall, in soil velocities relative to
-/// the wall (B1). A dense layer half a spacing off the face would have 1 to 3; but with more than
-/// this limit soil below the edge of a footing loses its contact (case `footing`).
-inline constexpr double extrapolation_limit = 0.5;
+/// the wall (B1). A dense layer half a spacing off the face would have 1 to 3. The lower the limit,
+/// the more a thin elastic layer feeds waves by itself (THEORY 4); but soil under the edge of a
+/// footing loses its contact beyond the lower one (case `footing`).
+inline constexpr double extrapolation_limit = 0.8;
+inline constexpr double extrapolation_limit_near_edge = 0.5;
 
 /// Artificial stress of particle j times its density (Eq. 27), six components and two of padding.
 inline constexpr int tension_record_size = 8;
 
 /// Wall face of a dummy particle: unit normal towards the soil, distance behind the face in units
-/// of h.
-enum WallSlot { wall_normal_x, wall_normal_y, wall_normal_z, wall_distance, wall_record_size };
+/// of h, limit of its extrapolation.
+enum WallSlot {
+  wall_normal_x,
+  wall_normal_y,
+  wall_normal_z,
+  wall_distance,
+  wall_limit,
+  wall_record_size
+};
 
 /// Neighbours of clusters of particles: entries [soil_begin(c), wall_begin(c)) are soil or images,
 /// [wall_begin(c), end(c)) dummies; both ranges are padded to `entry_block` with the far record.

@@ -58,15 +58,16 @@ class DummyLayout {
 
   WallDummies lay() {
     for (Face& face : faces_) {
-      for_each_site(face, [&](const Site& site, bool above) {
-        if (above) offer(face, site, goes_through(face, site));
+      for_each_site(face, [&](const Site& site) {
+        if (is_above(face, site)) offer(face, site, goes_through(face, site));
       });
     }
     for (Face& face : faces_) {
-      for_each_site(face, [&](const Site& site, bool above) {
-        if (!above) offer(face, site, !closes_corner(face, site));
+      for_each_site(face, [&](const Site& site) {
+        if (!is_above(face, site)) offer(face, site, !closes_corner(face, site));
       });
     }
+    mark_edges();
     return std::move(out_);
   }
 
@@ -103,6 +104,9 @@ class DummyLayout {
     faces_.push_back(std::move(face));
   }
 
+  static bool is_above(const Face& face, const Site& site) {
+    return site.u >= 0 && site.u < face.columns[0] && site.v >= 0 && site.v < face.columns[1];
+  }
   static std::int64_t extent(const Face& face, std::size_t axis) {
     return face.columns[axis] + 2 * face.margin[axis];
   }
@@ -119,7 +123,7 @@ class DummyLayout {
     for (std::int64_t layer = 0; layer < layers_; ++layer) {
       for (std::int64_t u = -face.margin[0]; u < face.columns[0] + face.margin[0]; ++u) {
         for (std::int64_t v = -face.margin[1]; v < face.columns[1] + face.margin[1]; ++v) {
-          visit({u, v, layer}, u >= 0 && u < face.columns[0] && v >= 0 && v < face.columns[1]);
+          visit({u, v, layer});
         }
       }
     }
@@ -222,15 +226,14 @@ class DummyLayout {
     out_.normal.push_back(owner.facet.normal);
     out_.distance.push_back(coordinates(owner.facet, dimension_, point).depth);
     out_.wall.push_back(owner.wall);
+    above_.push_back(is_above(face, site) ? &face.facet : nullptr);
   }
 
   /// Among the facets the point is behind: no-slip before free-slip, then the nearest plane. So
   /// that a removed gate leaves no hole in the base it stood on, a site above a facet asks only
   /// facets it is above, and walls that move or go take none from walls that stay.
   const Face& owner_of(const Face& face, const Site& site, const Vec3& point) const {
-    const bool above =
-        site.u >= 0 && site.u < face.columns[0] && site.v >= 0 && site.v < face.columns[1];
-    const double margin = (above ? 0.0 : thickness_) + tolerance_;
+    const double margin = (is_above(face, site) ? 0.0 : thickness_) + tolerance_;
     const Face* owner = &face;
     double nearest = depth(site);
     for (const Face& other : faces_) {
@@ -247,6 +250,26 @@ class DummyLayout {
     return *owner;
   }
 
+  /// A wall ends where the next place along its face holds no dummy of any wall. As many places as
+  /// there are layers are within reach of the soil there. Dummies beyond an edge close a corner.
+  void mark_edges() {
+    NearTest placed(0.75 * spacing_);  // joints of facets shift the columns by up to half a spacing
+    for (std::size_t k = 0; k < out_.position.size(); ++k) placed.put(out_.position[k], k);
+    const auto ends = [&](std::size_t k, const Vec3& tangent) {
+      for (std::int64_t step = -layers_; step <= layers_; ++step) {
+        const double shift = static_cast<double>(step) * spacing_;
+        if (!placed.has_near(plus(out_.position[k], shift, tangent), out_.position)) return true;
+      }
+      return false;
+    };
+    for (std::size_t k = 0; k < above_.size(); ++k) {
+      const Facet* facet = above_[k];
+      out_.near_edge.push_back(
+          facet != nullptr &&
+          (ends(k, facet->tangent_u) || (dimension_ == 3 && ends(k, facet->tangent_v))));
+    }
+  }
+
   int dimension_;
   double spacing_;
   double tolerance_;
@@ -256,6 +279,7 @@ class DummyLayout {
   NearTest placed_;
   std::vector<Face> faces_;
   WallDummies out_;
+  std::vector<const Facet*> above_;  ///< facet that each of out_ is above; none beyond its edges
 };
 
 }  // namespace

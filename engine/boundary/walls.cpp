@@ -35,6 +35,8 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     double* face = faces_.data() + k * wall_record_size;
     for (std::size_t a = 0; a < 3; ++a) face[wall_normal_x + a] = dummies.normal[source][a];
     face[wall_distance] = dummies.distance[source] * inverse_smoothing_length;
+    face[wall_limit] =
+        dummies.near_edge[source] ? extrapolation_limit_near_edge : extrapolation_limit;
     wall_.push_back(dummies.wall[source]);
   }
 }

@@ -147,8 +147,8 @@ std::vector<ReferenceDummy> wall_sweep_reference(const ReferenceParticles& p,
       component.largest *= scale;
     }
     const double height = before * scale;
-    const double ratio = height > 0.0 ? std::fmin(extrapolation_limit, p.face[w].distance / height)
-                                      : extrapolation_limit;
+    const ReferenceFace& face = p.face[w];
+    const double ratio = height > 0.0 ? std::fmin(face.limit, face.distance / height) : face.limit;
     for (int a = 0; a < 3; ++a) {
       dummy.velocity[a] = {p.velocity[w][a] - ratio * scale * slip[a].value,
                            std::fabs(p.velocity[w][a]) + ratio * scale * slip[a].largest};

@@ -8,15 +8,17 @@
 #include <cstddef>
 #include <vector>
 
+#include "kernels/particle_view.hpp"
 #include "kernels/smoothing/smoothing_reference.hpp"
 
 namespace scarp::kernels {
 
 /// Wall face of a dummy particle: unit normal towards the soil, distance of the dummy behind the
-/// face [m].
+/// face [m], limit of the extrapolation (B1).
 struct ReferenceFace {
   std::array<double, 3> normal{};
   double distance = 0.0;
+  double limit = extrapolation_limit;
 };
 
 /// Soil first, then dummies, then mirror images of soil; every array has an entry for every

@@ -8,7 +8,7 @@
 
 namespace scarp::kernels {
 
-/// Equation: B1, v_w = v_wall - min(1/2, d_w/d) (v - v_wall), where d_w is the distance of the
+/// Equation: B1, v_w = v_wall - min(limit, d_w/d) (v - v_wall), where d_w is the distance of the
 /// dummy to the face, d and v are averages of the soil's, with the weights W_wj. B2, sigma_w =
 /// sum_j [sigma_j - rho_j (g - a_w).(x_w - x_j) I] W_wj / sum_j W_wj. A dummy without soil in reach
 /// keeps the velocity of its wall and has zero stress. Sweeps clusters [begin, end) of dummies.
@@ -74,7 +74,8 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
         if (weights[l] > least) {
           const Real behind = faces[l * wall_record_size + wall_distance];
           const Real before = (heights[l] + heights[l + half]) / weights[l] - behind;
-          const Real factor = behind / std::max(before, behind / Real(extrapolation_limit));
+          const Real limit = faces[l * wall_record_size + wall_limit];
+          const Real factor = behind / std::max(before, behind / limit);
           velocity -= factor * ((lane[l] + lane[l + half]) / weights[l] - velocity);
         }
         view.velocity[a][cluster * half + l] = static_cast<double>(velocity);

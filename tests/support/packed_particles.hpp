@@ -143,6 +143,7 @@ class PackedParticles {
         double* w = faces_.data() + (slot_of(k) - first_wall_) * wall_record_size;
         for (std::size_t a = 0; a < 3; ++a) w[wall_normal_x + a] = p.face[k].normal[a];
         w[wall_distance] = p.face[k].distance / h;
+        w[wall_limit] = p.face[k].limit;
       }
     }
   }

@@ -57,7 +57,10 @@ inline kernels::ReferenceParticles random_block(const BlockOptions& o, unsigned 
       for (int i = 0; i < o.cells; ++i) {
         add((i + 0.5) * dx, (0.5 - j) * dx, (k + 0.5) * dx, false);
         p.velocity.back() = {0.3, 0.0, 0.0};
-        p.face.back() = {{0.0, 1.0, 0.0}, (j - 0.5) * dx};
+        p.face.back() = {
+            {0.0, 1.0, 0.0},
+            (j - 0.5) * dx,
+            i % 2 == 0 ? kernels::extrapolation_limit : kernels::extrapolation_limit_near_edge};
       }
     }
   }

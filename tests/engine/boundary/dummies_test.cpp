@@ -289,6 +289,22 @@ TEST(GenerateDummiesTest, FreeEdgesAreNotMadeWider) {
   }
 }
 
+TEST(GenerateDummiesTest, DummiesNearAFreeEdgeAreKnown) {
+  // Three layers see soil up to three columns away.
+  const Points2 open{{0, 0}, {4, 0}, {10, 0}}, bent{{0, 9}, {0, 0}, {10, 0}, {10, 9}};
+  const WallDummies line = generate_dummies(line_scene(open)),
+                    basin = generate_dummies(line_scene(bent));
+  ASSERT_EQ(line.position.size(), 60U);
+  for (std::size_t k = 0; k < line.position.size(); ++k) {
+    const double x = line.position[k][0];
+    EXPECT_EQ(line.near_edge[k], x < 1.5 || x > 8.5) << x;
+  }
+  for (std::size_t k = 0; k < basin.position.size(); ++k) {
+    const double y = basin.position[k][1];
+    EXPECT_EQ(basin.near_edge[k], y > 7.5) << basin.position[k][0] << ' ' << y;
+  }
+}
+
 TEST(GenerateDummiesTest, BoxWithOpenTopIsClosedBelow) {
   Scene scene = empty_scene(3);
   Wall wall;

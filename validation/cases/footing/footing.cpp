@@ -139,7 +139,7 @@ const ErrorProblem footing_problem{
     "bearing pressure over Prandtl's, phi = 0, less 1", {0.2, 0.1, 0.05, 0.025}, outcome_of};
 
 void footing(CaseRun& run) {
-  const std::vector<double> spacings = run.spacings({0.1, 0.05, 1.0 / 30.0});
+  const std::vector<double> spacings = run.spacings({0.1, 0.04, 1.0 / 30.0});
   std::optional<Simulation> last;
   for (const std::string& preset : run.presets()) {
     for (const double degrees : {0.0, 20.0}) {

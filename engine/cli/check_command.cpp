@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/cost_check.hpp"
+#include "engine/cli/forecast.hpp"
 #include "engine/cli/probe_check.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/trial.hpp"
@@ -69,11 +71,13 @@ Json summary(const Simulation& simulation) {
   return json;
 }
 
-void add_trial(Json& json, const Trial& trial, double simulated_time) {
+void add_forecast(Json& json, const Trial& trial, const Forecast& forecast) {
   json["time_step"] = trial.time_step;
-  const double steps = std::ceil(simulated_time / trial.time_step);
-  json["expected_steps"] = steps;
-  json["expected_wall_s"] = steps * trial.seconds_per_step;
+  json["expected_time_s"] = forecast.simulated;
+  json["expected_steps"] = forecast.steps;
+  json["expected_wall_s"] = forecast.wall_s;
+  json["rehearsal_spacing"] = forecast.rehearsal_spacing;
+  json["rehearsal_complete"] = forecast.rehearsal_complete;
   json["particle_steps_per_s"] = json["particles"].get<double>() / trial.seconds_per_step;
   json["memory_bytes"] = trial.memory;
   json["trial_failure"] = trial.failure.empty() ? Json() : Json(trial.failure);
@@ -83,7 +87,17 @@ void line(std::string_view name, const std::string& value) {
   fmt::print("{:<18}{}\n", name, value);
 }
 
-void print(const Simulation& simulation, const Json& json, const Trial& trial) {
+std::string origin(const Forecast& forecast) {
+  if (forecast.rehearsal_spacing == 0.0) return "as the start of the run goes";
+  return fmt::format("after a rehearsal {}at a spacing of {:.3g} m",
+                     forecast.rehearsal_complete < 1.0
+                         ? fmt::format("of {:.0f} % ", 100.0 * forecast.rehearsal_complete)
+                         : "",
+                     forecast.rehearsal_spacing);
+}
+
+void print(const Simulation& simulation, const Json& json, const Trial& trial,
+           const Forecast& forecast) {
   const Scene& scene = simulation.scene();
   line("scene", fmt::format("{} ({})", scene.title.empty() ? "untitled" : scene.title, scene.file));
   line("dimension", scene.dimension == 2 ? "2, plane strain" : "3");
@@ -97,13 +111,13 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial) {
   line("memory", readable_bytes(static_cast<double>(trial.memory)));
   if (trial.time_step > 0.0) {
     line("time step", fmt::format("about {:.3g} s", trial.time_step));
-    line("steps", fmt::format("about {:.0f} for at most {:g} s",
-                              json["expected_steps"].get<double>(), total_duration(scene)));
+    line("steps", fmt::format("about {:.0f} for {:.3g} s, at most {:g} s; {}", forecast.steps,
+                              forecast.simulated, total_duration(scene), origin(forecast)));
   }
-  if (std::isfinite(trial.seconds_per_step)) {
+  if (std::isfinite(forecast.wall_s)) {
     line("run time",
-         fmt::format("about {} ({:.3g} M particle-steps/s in a short trial, without output)",
-                     readable_duration(json["expected_wall_s"].get<double>()),
+         fmt::format("about {} ({:.3g} M particle-steps/s at the start, without output)",
+                     readable_duration(forecast.wall_s),
                      json["particle_steps_per_s"].get<double>() / 1e6));
   }
   fmt::print("\nmaterials\n");
@@ -138,9 +152,12 @@ int check_command(const CheckArguments& check) {
   Json json = summary(simulation);
   if (check.probe) json["probe"] = probe(simulation);
   const Trial trial = try_steps(simulation, 1.0);
-  add_trial(json, trial, total_duration(simulation.scene()));
-  if (arguments.json != "-") print(simulation, json, trial);
+  const Forecast expected = forecast(simulation.scene(), arguments.options, trial);
+  add_forecast(json, trial, expected);
+  if (arguments.json != "-") print(simulation, json, trial, expected);
+  if (check.costs) json["costs"] = costs(simulation.scene(), arguments.options);
   if (arguments.json != "-" && check.probe) print_probe(json["probe"]);
+  if (arguments.json != "-" && check.costs) print_costs(json["costs"]);
   if (!arguments.json.empty()) write_text(arguments.json, json.dump(2) + "\n");
   const bool stable = !check.probe || json["probe"]["margin"]["stable"].get<double>() >= 1.0;
   return trial.failure.empty() && stable ? ok : unstable;

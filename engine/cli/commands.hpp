@@ -32,6 +32,7 @@ struct SceneArguments {
 
 struct CheckArguments {
   SceneArguments scene;
+  bool costs = false;  ///< time the scene without each of the parts it uses
   bool probe = false;  ///< find out what sets the time step and how far it is from unstable
 };
 

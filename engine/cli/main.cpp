@@ -139,6 +139,8 @@ int run_program(int argc, char** argv) {
   add_spacing_option(*check_app, check.scene);
   check_app->add_flag("--probe", check.probe,
                       "Find what sets the time step, and how far it is from unstable");
+  check_app->add_flag("--costs", check.costs,
+                      "Time it without each of the parts it uses: what they cost");
 
   ConvergeArguments converge;
   CLI::App* converge_app = app.add_subcommand(

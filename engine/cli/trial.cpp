@@ -34,6 +34,7 @@ Trial try_steps(Simulation& simulation, double enough) {
   } catch (const SimulationInstability& instability) {
     trial.failure = instability.what();
   }
+  trial.simulated = simulation.last_step().time;
   trial.memory = simulation.memory_bytes();
   return trial;
 }

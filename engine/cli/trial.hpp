@@ -11,6 +11,7 @@ namespace scarp::cli {
 
 struct Trial {
   double time_step = 0.0;         ///< [s]
+  double simulated = 0.0;         ///< when the trial ended [s]
   double seconds_per_step = 0.0;  ///< NaN: not measured
   std::size_t memory = 0;         ///< [bytes]
   std::string failure;

@@ -135,6 +135,20 @@ class CliTest(unittest.TestCase):
         self.assertGreater(numbers["expected_steps"], 0)
         self.assertFalse((self.folder / "out").exists())
 
+    def test_a_run_of_seconds_is_forecast_to_the_step(self):
+        (self.folder / "column.toml").write_text(COLUMN)
+        done = self.scarp("check", "column.toml", "--costs", "--json", "check.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.scarp("run", "column.toml", "-o", "out", "--json", "run.json", "--quiet")
+        check, run = (json.loads((self.folder / name).read_text()) for name in ("check.json", "run.json"))
+        self.assertEqual(check["rehearsal_spacing"], check["spacing"])
+        self.assertEqual((check["expected_steps"], check["expected_time_s"]), (run["steps"], run["simulated_s"]))
+        self.assertEqual([cost["feature"] for cost in check["costs"]],
+                         ["artificial viscosity", "gradient correction", "sums in double precision"])
+        for cost in check["costs"]:
+            self.assertIn(cost["feature"], done.stdout)
+            self.assertLess(cost["share_of_step"], 1)
+
     RECKLESS = COLUMN.replace('duration = "1 s"', 'duration = "5 s"') + """
 [numerics]
 integrator = "verlet"

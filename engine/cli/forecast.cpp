@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Rehearsal at a coarse spacing.
+#include "engine/cli/forecast.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "engine/cli/progress.hpp"
+#include "engine/errors.hpp"
+
+namespace scarp::cli {
+namespace {
+
+constexpr double wanted_seconds = 3.0, most_seconds = 6.0;
+
+/// Steps and wall time of a part of a run.
+struct Part {
+  double simulated = 0.0, steps = 0.0, wall_s = 0.0;
+};
+
+struct Rehearsal {
+  Part start, whole;
+  bool finished = false;
+};
+
+Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_time) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double fewest_steps = 50;  // fewer tell little about the cost of one
+  Simulation simulation(scene, options);
+  Rehearsal rehearsal;
+  const auto began = Clock::now();
+  while (!simulation.finished() && rehearsal.whole.wall_s < most_seconds) {
+    simulation.step();
+    rehearsal.whole = {simulation.last_step().time, rehearsal.whole.steps + 1,
+                       std::chrono::duration<double>(Clock::now() - began).count()};
+    const bool at_start =
+        rehearsal.whole.steps <= fewest_steps || rehearsal.whole.simulated <= start_time;
+    if (at_start) rehearsal.start = rehearsal.whole;
+  }
+  rehearsal.finished = simulation.finished();
+  return rehearsal;
+}
+
+/// The scene with the cost of a rehearsal; itself if that is no more.
+Scene coarser(Scene scene, double wall_s) {
+  // Particles go with spacing^-d, steps with 1/spacing.
+  scene.spacing *= std::pow(std::max(1.0, wall_s / wanted_seconds), 1.0 / (scene.dimension + 1.0));
+  return scene;
+}
+
+}  // namespace
+
+Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial) {
+  Forecast plain;
+  plain.simulated = total_duration(scene);
+  plain.steps = std::ceil(plain.simulated / trial.time_step);
+  plain.wall_s = plain.steps * trial.seconds_per_step;
+  if (!std::isfinite(plain.wall_s) || !trial.failure.empty()) return plain;
+  const Scene coarse = coarser(scene, plain.wall_s);
+  try {
+    const Rehearsal rehearsal = rehearse(coarse, options, trial.simulated);
+    const Part &start = rehearsal.start, &whole = rehearsal.whole;
+    if (start.steps == 0.0) return plain;
+    const double shorter_steps = whole.steps / whole.simulated * start.simulated / start.steps;
+    const double dearer_steps = whole.wall_s / whole.steps * start.steps / start.wall_s;
+    Forecast better;
+    better.simulated = rehearsal.finished ? whole.simulated : plain.simulated;
+    better.steps = std::ceil(better.simulated / trial.time_step * shorter_steps);
+    better.wall_s = better.steps * trial.seconds_per_step * dearer_steps;
+    better.rehearsal_spacing = coarse.spacing;
+    better.rehearsal_complete = rehearsal.finished ? 1.0 : whole.simulated / plain.simulated;
+    return better;
+  } catch (const Error&) {  // too coarse for its walls, or it came apart
+    return plain;
+  }
+}
+
+}  // namespace scarp::cli

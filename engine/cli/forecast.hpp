@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// How long a run will take, before it is started.
+#pragma once
+
+#include "engine/cli/trial.hpp"
+#include "engine/scene/scene.hpp"
+
+namespace scarp::cli {
+
+struct Forecast {
+  double simulated = 0.0;  ///< when the run ends [s]
+  double steps = 0.0;
+  double wall_s = 0.0;              ///< NaN: not measured
+  double rehearsal_spacing = 0.0;   ///< 0: none; the start then stands for the whole run
+  double rehearsal_complete = 1.0;  ///< share of the rehearsal that there was time for
+};
+
+/// From `trial`, the start of the run, and a rehearsal: the whole scene on a lattice so coarse that
+/// it takes about a second. The rehearsal tells when stages come to rest, and how the time step and
+/// the cost of a step change from the start (soil in motion takes shorter steps and new lists).
+/// A scene that cannot be coarsened or comes apart when it is goes without.
+Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial);
+
+}  // namespace scarp::cli

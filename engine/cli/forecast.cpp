@@ -68,6 +68,10 @@ Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& tr
     better.simulated = rehearsal.finished ? whole.simulated : plain.simulated;
     better.steps = std::ceil(better.simulated / trial.time_step * shorter_steps);
     better.wall_s = better.steps * trial.seconds_per_step * dearer_steps;
+    if (rehearsal.finished && coarse.spacing == scene.spacing) {  // that was the run
+      better.steps = whole.steps;
+      better.wall_s = whole.wall_s;
+    }
     better.rehearsal_spacing = coarse.spacing;
     better.rehearsal_complete = rehearsal.finished ? 1.0 : whole.simulated / plain.simulated;
     return better;

@@ -55,8 +55,8 @@ Scene footing_scene(Scene scene, double friction_degrees) {
 }
 
 struct Outcome {
-  double ratio = 0.0;  ///< pressure under the footing over Prandtl's where it is judged
-  double drift = 0.0;  ///< change of it from the first to the second half of that settlement
+  double ratio = 0.0;          ///< pressure under the footing over Prandtl's where it is judged
+  double drift = 0.0;          ///< change of it from a settlement just as long before
   double late = std::nan("");  ///< the same at the end of a push twice as far
 };
 
@@ -80,8 +80,8 @@ Outcome press(CaseRun& run, const std::string& name, const Scene& scene,
   const double capacity = parameters[DruckerPrager::cohesion] *
                           bearing_capacity_factor(parameters[DruckerPrager::friction_angle]);
   const double speed = std::fabs(scene.walls.back().velocity[1]);
-  const double middle = 0.5 * (judged_from + judged_to);
-  Mean first{judged_from, middle}, second{middle, judged_to};
+  // The push rings with a period of about that length: a shorter window would see the ringing.
+  Mean before{2.0 * judged_from - judged_to, judged_from}, level{judged_from, judged_to};
   Mean late{2.0 * judged_from, 2.0 * judged_to};
   CsvFile table(run.folder() / (name + ".csv"),
                 {"settlement over B [-]", "pressure over Prandtl's [-]"});
@@ -93,9 +93,9 @@ Outcome press(CaseRun& run, const std::string& name, const Scene& scene,
     const double ratio = now.wall_reactions().back().force[1] / (0.5 * width) / capacity;
     table << settlement << ratio;
     table.end_row();
-    for (Mean* mean : {&first, &second, &late}) mean->add(settlement, ratio);
+    for (Mean* mean : {&before, &level, &late}) mean->add(settlement, ratio);
   });
-  return {0.5 * (first.value() + second.value()), second.value() / first.value() - 1.0,
+  return {level.value(), level.value() / before.value() - 1.0,
           late.count > 0 ? late.value() : std::nan("")};
 }
 

@@ -69,7 +69,7 @@ Body in_mixed(Body body) {
 State& cached_block(const BlockOptions& options, const std::string& key) {
   static std::string present;
   static std::unique_ptr<State> block;
-  if (present != key) {
+  if (!block || present != key) {
     block.reset();
     block = std::make_unique<State>(block_state(options));
     present = key;

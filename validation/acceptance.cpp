@@ -107,8 +107,11 @@ void write_case_results(const std::filesystem::path& path, const Simulation* sim
     steps += run.steps;
     json["runs"].push_back({{"name", run.name},
                             {"steps", run.steps},
+                            {"particle_steps", run.particle_steps},
                             {"simulated_s", run.simulated_s},
-                            {"wall_s", run.wall_s}});
+                            {"wall_s", run.wall_s},
+                            {"cpu_s", run.cpu_s},
+                            {"memory_bytes", run.memory_bytes}});
   }
   json["convergence"] = Json::array();
   for (const ConvergenceSeries& series : result.convergence) {

@@ -57,9 +57,22 @@ def convergence_figure(page, results, figures):
 
 
 def cost_section(page, results):
-    rows = [[run["name"], run["steps"], run["simulated_s"], run["wall_s"]] for run in results.get("runs", [])]
-    rows.append(["whole case", results.get("steps"), None, results.get("wall_s")])
-    page.table(["run", "steps", "simulated [s]", "run time [s]"],
+    """Time to solution of each run, its stages together."""
+    runs = {}
+    for part in results.get("runs", []):
+        total = runs.setdefault(part["name"], dict.fromkeys(part, 0.0))
+        for key in part.keys() - {"name", "memory_bytes"}:
+            total[key] += part[key]
+        total["memory_bytes"] = max(total["memory_bytes"], part.get("memory_bytes", 0.0))
+    rows = []
+    for name, run in runs.items():
+        particle_steps = run.get("particle_steps", 0.0)  # missing in results of earlier versions
+        rows.append([name, round(particle_steps / max(run["steps"], 1)), int(run["steps"]), run["simulated_s"],
+                     run["wall_s"], run.get("cpu_s") or None,  # trials of a search have no own
+                     1e-6 * particle_steps / max(run["wall_s"], 1e-9), run["memory_bytes"] / 2**20 or None])
+    rows.append(["whole case", None, results.get("steps"), None, results.get("wall_s"), None, None, None])
+    page.table(["run", "particles", "steps", "simulated [s]", "time to solution [s]", "processor time [s]",
+                "M particle-steps/s", "memory [MiB]"],
                [["" if value is None else value for value in row] for row in rows])
 
 

@@ -107,6 +107,14 @@ class DummyLayout {
   static bool is_above(const Face& face, const Site& site) {
     return site.u >= 0 && site.u < face.columns[0] && site.v >= 0 && site.v < face.columns[1];
   }
+  /// Above its facet and within reach of one of its edges.
+  bool is_on_rim(const Face& face, const Site& site) const {
+    const auto near_end = [&](std::int64_t column, std::int64_t columns) {
+      return column < layers_ || column >= columns - layers_;
+    };
+    return is_above(face, site) && (near_end(site.u, face.columns[0]) ||
+                                    (dimension_ == 3 && near_end(site.v, face.columns[1])));
+  }
   static std::int64_t extent(const Face& face, std::size_t axis) {
     return face.columns[axis] + 2 * face.margin[axis];
   }
@@ -226,7 +234,7 @@ class DummyLayout {
     out_.normal.push_back(owner.facet.normal);
     out_.distance.push_back(coordinates(owner.facet, dimension_, point).depth);
     out_.wall.push_back(owner.wall);
-    above_.push_back(is_above(face, site) ? &face.facet : nullptr);
+    rim_.push_back(is_on_rim(face, site) ? &face.facet : nullptr);
   }
 
   /// Among the facets the point is behind: no-slip before free-slip, then the nearest plane. So
@@ -262,8 +270,8 @@ class DummyLayout {
       }
       return false;
     };
-    for (std::size_t k = 0; k < above_.size(); ++k) {
-      const Facet* facet = above_[k];
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      const Facet* facet = rim_[k];
       out_.near_edge.push_back(
           facet != nullptr &&
           (ends(k, facet->tangent_u) || (dimension_ == 3 && ends(k, facet->tangent_v))));
@@ -279,7 +287,7 @@ class DummyLayout {
   NearTest placed_;
   std::vector<Face> faces_;
   WallDummies out_;
-  std::vector<const Facet*> above_;  ///< facet that each of out_ is above; none beyond its edges
+  std::vector<const Facet*> rim_;  ///< facet whose rim each of out_ is above, if any
 };
 
 }  // namespace

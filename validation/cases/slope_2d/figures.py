@@ -25,8 +25,8 @@ def draw(page, folder, figures):
             ax.plot(band[0]["x"], band[0]["y"], "o", color="#009e73", markersize=4, markerfacecolor="none",
                     label="slip band, in the undeformed slope")
         ax.legend(loc="upper right", fontsize=8)
-        page.figure(figure, "Strength cut by 1.4, end of the slide. Shading: accumulated plastic strain; red dashes: "
-                    "ground before; blue dashes: Bishop's circle; rings: where the slip band was found, moved back "
+        page.figure(figure, "As the paper's Fig. 1: strength cut by 1.4, end of the slide. Shading: accumulated plastic "
+                    "strain; red dashes: ground before; blue dashes: Bishop's circle; rings: where the slip band was found, moved back "
                     "to where its soil lay before the slide, as Bishop's circle is.",
                     figures / "slip_and_circle.png")
     curve = scarp.read_table(folder / "displacement_srf.csv")

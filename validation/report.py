@@ -63,7 +63,7 @@ def cost_section(page, results):
         total = runs.setdefault(part["name"], dict.fromkeys(part, 0.0))
         for key in part.keys() - {"name", "memory_bytes"}:
             total[key] += part[key]
-        total["memory_bytes"] = max(total["memory_bytes"], part.get("memory_bytes", 0.0))
+        total["memory_bytes"] = max(total.get("memory_bytes", 0.0), part.get("memory_bytes", 0.0))
     rows = []
     for name, run in runs.items():
         particle_steps = run.get("particle_steps", 0.0)  # missing in results of earlier versions

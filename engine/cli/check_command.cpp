@@ -109,10 +109,14 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial,
   line("preset", scene.numerics.preset);
   line("machine", fmt::format("{}, {} threads", simulation.isa(), simulation.threads()));
   line("memory", readable_bytes(static_cast<double>(trial.memory)));
-  if (trial.time_step > 0.0) {
-    line("time step", fmt::format("about {:.3g} s", trial.time_step));
-    line("steps", fmt::format("about {:.0f} for {:.3g} s, at most {:g} s; {}", forecast.steps,
-                              forecast.simulated, total_duration(scene), origin(forecast)));
+  if (trial.time_step > 0.0) line("time step", fmt::format("about {:.3g} s", trial.time_step));
+  if (std::isnan(forecast.steps)) {
+    line("steps", "unknown: a stage has no limit and did not come to rest in a short rehearsal");
+  } else if (trial.time_step > 0.0) {
+    const double longest = longest_duration(scene);
+    line("steps", fmt::format("about {:.0f} for {:.3g} s{}; {}", forecast.steps, forecast.simulated,
+                              std::isnan(longest) ? "" : fmt::format(", at most {:g} s", longest),
+                              origin(forecast)));
   }
   if (std::isfinite(forecast.wall_s)) {
     line("run time",
@@ -127,8 +131,13 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial,
   }
   fmt::print("\nstages\n");
   for (const Stage& stage : scene.stages) {
-    fmt::print("  {:<20} {} {:g} s{}\n", stage.name,
-               stage.until == StageEnd::rest ? "until rest, at most" : "for", stage.duration,
+    const std::string limit =
+        stage.duration > 0.0 ? fmt::format(" {:g} s", stage.duration) : ", without limit";
+    fmt::print("  {:<20} {}{}{}\n", stage.name,
+               stage.until != StageEnd::rest ? "for"
+               : stage.duration > 0.0        ? "until rest, at most"
+                                             : "until rest",
+               limit,
                stage.strength_reduction != 1.0
                    ? fmt::format(", strength reduced by {:g}", stage.strength_reduction)
                    : "");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
@@ -42,23 +43,34 @@ Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_t
   return rehearsal;
 }
 
-/// The scene with the cost of a rehearsal; itself if that is no more.
-Scene coarser(Scene scene, double wall_s) {
+/// The scene with the cost of a rehearsal; itself if that is no more. `wall_s` is NaN if a stage
+/// has no limit: then with few particles.
+Scene coarser(Scene scene, double wall_s, double particles) {
+  constexpr double few = 2000.0;
   // Particles go with spacing^-d, steps with 1/spacing.
-  scene.spacing *= std::pow(std::max(1.0, wall_s / wanted_seconds), 1.0 / (scene.dimension + 1.0));
+  scene.spacing *=
+      std::isnan(wall_s)
+          ? std::pow(std::max(1.0, particles / few), 1.0 / scene.dimension)
+          : std::pow(std::max(1.0, wall_s / wanted_seconds), 1.0 / (scene.dimension + 1.0));
   return scene;
 }
 
 }  // namespace
 
+double longest_duration(const Scene& scene) {
+  const bool limited = std::all_of(scene.stages.begin(), scene.stages.end(),
+                                   [](const Stage& stage) { return stage.duration > 0.0; });
+  return limited ? total_duration(scene) : std::numeric_limits<double>::quiet_NaN();
+}
+
 Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial) {
   Forecast plain;
-  plain.simulated = total_duration(scene);
+  plain.simulated = longest_duration(scene);
   plain.steps = std::ceil(plain.simulated / trial.time_step);
   plain.wall_s = plain.steps * trial.seconds_per_step;
-  if (!std::isfinite(plain.wall_s) || !trial.failure.empty()) return plain;
-  const Scene coarse = coarser(scene, plain.wall_s);
+  if (std::isnan(trial.seconds_per_step) || !trial.failure.empty()) return plain;
   try {
+    const Scene coarse = coarser(scene, plain.wall_s, trial.particles);
     const Rehearsal rehearsal = rehearse(coarse, options, trial.simulated);
     const Part &start = rehearsal.start, &whole = rehearsal.whole;
     if (start.steps == 0.0) return plain;

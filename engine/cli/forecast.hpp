@@ -7,12 +7,16 @@
 
 namespace scarp::cli {
 
+/// The longest that a scene may take [s]; NaN if one of its stages has no limit.
+double longest_duration(const Scene& scene);
+
 struct Forecast {
+  // NaN: a stage has no limit and did not come to rest in the rehearsal, or nothing was measured.
   double simulated = 0.0;  ///< when the run ends [s]
   double steps = 0.0;
-  double wall_s = 0.0;              ///< NaN: not measured
+  double wall_s = 0.0;
   double rehearsal_spacing = 0.0;   ///< 0: none; the start then stands for the whole run
-  double rehearsal_complete = 1.0;  ///< share of the rehearsal that there was time for
+  double rehearsal_complete = 1.0;  ///< share of the rehearsal that there was time for, or NaN
 };
 
 /// From `trial`, the start of the run, and a rehearsal: the whole scene on a lattice so coarse that

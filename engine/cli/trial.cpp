@@ -36,6 +36,7 @@ Trial try_steps(Simulation& simulation, double enough) {
   }
   trial.simulated = simulation.last_step().time;
   trial.memory = simulation.memory_bytes();
+  trial.particles = static_cast<double>(simulation.soil_count());
   return trial;
 }
 

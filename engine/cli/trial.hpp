@@ -14,6 +14,7 @@ struct Trial {
   double simulated = 0.0;         ///< when the trial ended [s]
   double seconds_per_step = 0.0;  ///< NaN: not measured
   std::size_t memory = 0;         ///< [bytes]
+  double particles = 0.0;
   std::string failure;
 };
 

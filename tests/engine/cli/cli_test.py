@@ -149,6 +149,15 @@ class CliTest(unittest.TestCase):
             self.assertIn(cost["feature"], done.stdout)
             self.assertLess(cost["share_of_step"], 1)
 
+    def test_a_stage_without_limit_is_forecast_by_a_rehearsal(self):
+        (self.folder / "column.toml").write_text(COLUMN.replace('duration = "1 s"', 'until = "rest"'))
+        done = self.scarp("check", "column.toml", "--json", "check.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("at most", done.stdout.split("materials")[0])
+        self.scarp("run", "column.toml", "-o", "out", "--json", "run.json", "--quiet")
+        check, run = (json.loads((self.folder / name).read_text()) for name in ("check.json", "run.json"))
+        self.assertEqual((check["expected_steps"], check["expected_time_s"]), (run["steps"], run["simulated_s"]))
+
     RECKLESS = COLUMN.replace('duration = "1 s"', 'duration = "5 s"') + """
 [numerics]
 integrator = "verlet"

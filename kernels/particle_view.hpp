@@ -48,8 +48,8 @@ inline constexpr double smallest_moment_determinant = Dim == 2 ? 0.1 : 0.01;
 
 /// Most that the velocity of a dummy lies beyond that of its wall, in soil velocities relative to
 /// the wall (B1). A dense layer half a spacing off the face would have 1 to 3. The lower the limit,
-/// the more a thin elastic layer feeds waves by itself (THEORY 4); but soil under the edge of a
-/// footing loses its contact beyond the lower one (case `footing`).
+/// the more a thin elastic layer feeds waves by itself (engine/THEORY.md, section 4); but soil
+/// under the edge of a footing loses its contact beyond the lower one (case `footing`).
 inline constexpr double extrapolation_limit = 0.8;
 inline constexpr double extrapolation_limit_near_edge = 0.5;
 

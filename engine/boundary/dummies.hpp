@@ -15,7 +15,7 @@ struct WallDummies {
   std::vector<Vec3> normal;       ///< of the wall face it belongs to, towards the soil [-]
   std::vector<double> distance;   ///< behind that face, > 0 [m]
   std::vector<std::size_t> wall;  ///< index into Scene::walls
-  std::vector<bool> near_edge;    ///< whether its wall ends within 2h along the face
+  std::vector<bool> near_edge;    ///< whether its wall ends within reach of the soil over it
 };
 
 /// Layers of dummies that the support 2h needs; a soil particle that touches the face still sees it

@@ -11,7 +11,7 @@ namespace scarp::cli {
 /// The start of the scene beside the same without one of the parts it uses, in short trials that
 /// take turns. A list of feature, share_of_step (the median over the turns of one less the ratio of
 /// the times), bytes_per_particle (both can be negative: mixed precision keeps more and takes
-/// less). Stops at the first steps that fail.
+/// less); null where one of the two becomes unstable.
 nlohmann::ordered_json costs(const Scene& scene, const RunOptions& options);
 
 /// The same for people.

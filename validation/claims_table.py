@@ -10,9 +10,11 @@ ORDER = ("confirmed", "sensitive", "not confirmed", "not measured")
 def draw(page, claims):
     """One line for each claim of results.json; the column of cases only where the claims name theirs."""
     counts = ", ".join(f"{sum(claim['verdict'] == verdict for claim in claims)} {verdict}" for verdict in ORDER)
-    page.text(f"{len(claims)} statements: {counts}. “Sensitive” means that runs which differ only in what the paper "
-              "leaves open (the cone of the plane runs or of all, preset, height, spacing) disagree. Numbers and "
-              "verdict of the first reading: the same outer cone in 3D and 2D, unless the last column says otherwise.")
+    page.text(f"{len(claims)} statements: {counts}. “Sensitive” means that readings of what the paper leaves open (the "
+              "cone of the plane runs or of all, preset, height, spacing) disagree. Numbers and verdict are those of the "
+              "first reading; of the slopes in 3D, the same outer cone in 3D and 2D, whereas the pair printed in the "
+              "paper is “2D by Eq. 11”. A reading with the same numbers shares the runs they come from and is no further "
+              "support.")
     with_case = any("case" in claim for claim in claims)
     rows = []
     for number, claim in enumerate(claims, 1):

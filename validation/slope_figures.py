@@ -33,8 +33,9 @@ class Runs:
         slide = np.array([stage == "slide" for stage in columns["stage"]])
         part = {c: columns[f"{probe}.displacement_{c}"][slide] for c in "xyz" if f"{probe}.displacement_{c}" in columns}
         up = "z" if "z" in part else "y"
-        level = [part[c] for c in part if c != up]
-        moved = -part[up] if kind == "settlement" else np.hypot(*level) if len(level) > 1 else level[0]
+        diagonal = probe.startswith("P")  # section P of the corners; the others lie along x
+        forward = (part["x"] + part["y"]) / np.sqrt(2) if diagonal else part["x"]
+        moved = -part[up] if kind == "settlement" else forward
         time = columns["time"][slide]
         return time - time[0], moved - moved[0]
 

@@ -28,7 +28,7 @@ ClaimLine judge_claim(const std::string& section, const std::string& quote,
     const bool same = finding.holds == first.holds && finding.numbers == first.numbers;
     line.sensitivity += fmt::format(
         "{}{}: {}", line.sensitivity.empty() ? "" : " | ", other->reading,
-        same ? "the same" : fmt::format("{} ({})", word(finding.holds), finding.numbers));
+        same ? "the same numbers" : fmt::format("{} ({})", word(finding.holds), finding.numbers));
   }
   if (first.holds) {
     line.verdict = !agree ? "sensitive" : *first.holds ? "confirmed" : "not confirmed";

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/cli/progress.hpp"
@@ -82,20 +83,23 @@ std::vector<Reading> readings(const CaseRun& run, const ReadingPlan& plan) {
   base.preset = options.preset;
   base.spacing = options.spacing > 0.0 ? options.spacing : run.short_form() ? 1.0 : 0.5;
   std::vector<Reading> all{base};
-  const auto add = [&](const std::string& name) -> Reading& {
+  const auto add = [&](const std::string& name, double spacing) -> Reading& {
     all.push_back(base);
     all.back().name = name;
+    all.back().spacing = spacing;
     return all.back();
   };
-  add("2D by Eq. 11").plane_cone = Cone::plane_strain;
+  add("2D by Eq. 11", base.spacing).plane_cone = Cone::plane_strain;
   if (options.form != Form::full) return all;
-  Reading& eq11 = add("all by Eq. 11");
+  const double other = base.spacing * plan.other_spacing, coarse = std::max(base.spacing, other);
+  const std::string other_name = fmt::format("dx {:.3g} m", other);
+  const std::string at = coarse > base.spacing ? " at " + other_name : "";
+  Reading& eq11 = add("all by Eq. 11" + at, coarse);
   eq11.cone = eq11.plane_cone = Cone::plane_strain;
-  const std::string other = options.preset == "paper" ? "modern" : "paper";
-  add("preset " + other).preset = other;
-  add("14 m high").size.height = 14.0;
-  const double spacing = base.spacing * plan.other_spacing;
-  add(fmt::format("dx {:.3g} m", spacing)).spacing = spacing;
+  const std::string preset = options.preset == "paper" ? "modern" : "paper";
+  add("preset " + preset + at, coarse).preset = preset;
+  add("14 m high" + at, coarse).size.height = 14.0;
+  add(other_name, other);
   return all;
 }
 
@@ -121,6 +125,7 @@ std::vector<ReadingOutcomes> run_readings(CaseRun& run, const ReadingPlan& plan)
   for (const Reading& reading : readings(run, plan)) {
     ReadingOutcomes one;
     one.reading = reading.name;
+    one.size = reading.size;
     for (const SlopeShape shape : plan.shapes) {
       const StudyRun study = study_run(run, reading, shape);
       auto place = known.find(study.folder);
@@ -149,6 +154,12 @@ void add_outcomes_of(const std::string& case_name, const CaseRun& run, const Rea
       }
     }
   }
+}
+
+double failed_after(const Outcome& outcome, const std::string& probe) {
+  if (outcome.values.count("end of the slide [s]") == 0) return std::nan("");
+  const double time = outcome.at(probe + ": failed after [s]");
+  return std::isnan(time) ? INFINITY : time;
 }
 
 void judge_claims(CaseRun& run, std::span<const ReadingClaim> claims,

@@ -27,6 +27,7 @@ struct Reading {
 /// Outcomes of all shapes under one reading.
 struct ReadingOutcomes {
   std::string reading;
+  SlopeSize size;
   std::map<SlopeShape, Outcome> outcomes;
   const Outcome& of(SlopeShape shape) const { return outcomes.at(shape); }
   bool has(SlopeShape shape) const { return outcomes.count(shape) != 0; }
@@ -39,8 +40,8 @@ struct ReadingPlan {
 };
 
 /// The first is the one the others are held against. Short and main form: the paper's own pair of
-/// cones besides; full: the plane strain cone throughout, the other preset, another height, and the
-/// plan's other spacing.
+/// cones besides; full: the plane strain cone throughout, the other preset and another height,
+/// these at the coarser of the two spacings, and the plan's other spacing.
 std::vector<Reading> readings(const CaseRun& run, const ReadingPlan& plan);
 
 /// The runs still to come, each once however many readings need it.
@@ -53,6 +54,10 @@ std::vector<ReadingOutcomes> run_readings(CaseRun& run, const ReadingPlan& plan)
 /// where they have not been run.
 void add_outcomes_of(const std::string& case_name, const CaseRun& run, const ReadingPlan& plan,
                      std::vector<ReadingOutcomes>& all);
+
+/// When a probe failed, see `watch_probes` [s]: infinite if it never did, NaN if the run did not
+/// reach its end.
+double failed_after(const Outcome& outcome, const std::string& probe);
 
 /// A statement of the paper and how a reading's outcomes answer it.
 struct ReadingClaim {

@@ -36,10 +36,16 @@ std::vector<Section> sections_of(const Slope3d& slope) {
   return {{"section P", true}, {"section Q", false, slope.lateral_section()}};
 }
 
+bool slides(const Grain& grain, const Slope3d& slope) {
+  return grain.moved > slide_share * slope.size().height;
+}
+
 bool at_risk(const Grain& grain, const Slope3d& slope) {
   const double d = slope.distance(grain.start[0], grain.start[1]);
   const SlopeSize& size = slope.size();
-  return grain.start[2] > size.foundation && d > size.crest - 0.5 * size.height &&
+  // Behind the crest as far as in the sections of 3D slopes, whose diagonal is longer by sqrt(2).
+  const double behind = 0.5 * slope.face_run();
+  return grain.start[2] > size.foundation && d > size.crest - behind &&
          d < size.crest + slope.face_run();
 }
 

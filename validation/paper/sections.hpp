@@ -49,7 +49,12 @@ struct Section {
 /// M of case 1, P and Q of the corners, the whole of a plane slope ("section").
 std::vector<Section> sections_of(const Slope3d& slope);
 
-/// Above the toe, from half a height behind the crest to the toe.
+/// What counts as having slid. The failure criterion asks for 1 % of the height; here the soil that
+/// has moved with the slide is separated from what has only given way a little.
+inline constexpr double slide_share = 0.04;  ///< displacement over the height of the slope
+bool slides(const Grain& grain, const Slope3d& slope);
+
+/// Above the toe, from half the run of the face behind the crest to the toe.
 bool at_risk(const Grain& grain, const Slope3d& slope);
 
 }  // namespace scarp::validation

@@ -14,6 +14,7 @@
 #include "validation/deposit.hpp"
 #include "validation/paper/plane_zone.hpp"
 #include "validation/paper/sections.hpp"
+#include "validation/paper/slip_surface.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -41,6 +42,21 @@ double downhill_stress(const Grain& g, const Slope3d& slope) {
   return x * x * g.xx + y * y * g.yy + 2.0 * x * y * g.xy;
 }
 
+/// Angle from the diagonal to the greater horizontal pressure in the soil above the toe within half
+/// a height of section P, on the side of x > y; the other side has its negative.
+double turn_beside_p(const std::vector<Grain>& grains, const Slope3d& slope) {
+  double sum = 0.0, difference = 0.0;  // of the mean stress, along the diagonal and across it
+  for (const Grain& g : grains) {
+    const double beside = (g.start[0] - g.start[1]) / sqrt2;
+    if (beside < 0.0 || beside > 0.5 * slope.size().height || !at_risk(g, slope)) continue;
+    sum += 2.0 * g.xy;
+    difference += g.xx - g.yy;
+  }
+  // Pressure along the diagonal less that across it, and its shear, on axes turned by 45 degrees.
+  const double along = -sum, shear = -difference;
+  return 0.5 * std::atan2(shear, along) * 180.0 / std::numbers::pi;
+}
+
 void measure_stress(const std::vector<Grain>& grains, const Slope3d& slope, double spacing,
                     const std::string& moment, Outcome& outcome) {
   for (const Section& section : sections_of(slope)) {
@@ -53,7 +69,12 @@ void measure_stress(const std::vector<Grain>& grains, const Slope3d& slope, doub
     put("along", [&](const Grain& g) { return section.stress_along(g); });
     put("vertical", [](const Grain& g) { return g.zz; });
   }
-  if (slope.plane() || slope.corner()) return;
+  if (slope.plane()) return;
+  if (slope.corner()) {
+    outcome.values[fmt::format("beside P: turn of the greater pressure, {} [deg]", moment)] =
+        turn_beside_p(grains, slope);
+    return;
+  }
   const double width = slope.size().half_width;
   const auto side = [&](const Grain& g) { return g.start[1] > width / 1.5 && at_risk(g, slope); };
   outcome.values[fmt::format("side: downhill, {} [Pa]", moment)] =
@@ -75,10 +96,6 @@ double front_advance(const std::vector<Grain>& grains, const Section& section, d
     return places[2];
   };
   return before.size() < 3 ? std::nan("") : third(now) - third(before);
-}
-
-bool slides(const Grain& grain, const Slope3d& slope) {
-  return grain.moved > slide_share * slope.size().height;
 }
 
 /// Slide and plastic zone of one section, in the undeformed slope.
@@ -110,52 +127,6 @@ void measure_section(const std::vector<Grain>& grains, const Slope3d& slope, con
   put("plastic zone over its rectangle [-]", plastic.hull_share());
 }
 
-/// Vertical depth of the slide below the face at a place in plan [m]; 0 where nothing slides.
-double slide_depth(const std::vector<Grain>& grains, const Slope3d& slope, double spacing, double x,
-                   double y) {
-  const double surface = slope.surface(slope.distance(x, y));
-  double lowest = surface;
-  for (const Grain& grain : grains) {
-    if (slides(grain, slope) && std::fabs(grain.start[0] - x) < 0.75 * spacing &&
-        std::fabs(grain.start[1] - y) < 0.75 * spacing) {
-      lowest = std::min(lowest, grain.start[2] - 0.5 * spacing);
-    }
-  }
-  return surface - lowest;
-}
-
-/// x at which the middle of the face of a case 1 slope passes y.
-double middle_of_face(const Slope3d& slope, double y) {
-  const double d = slope.size().crest + 0.5 * slope.face_run();
-  if (slope.shape() == SlopeShape::straight) return d;
-  const double r = slope.shape() == SlopeShape::convex ? d : slope.length() - d;
-  const double x = std::sqrt(std::max(r * r - y * y, 0.0));
-  return slope.shape() == SlopeShape::convex ? x : slope.length() - x;
-}
-
-void measure_surface(const std::vector<Grain>& grains, const Slope3d& slope, double spacing,
-                     Outcome& outcome) {
-  const auto depth = [&](double x, double y) { return slide_depth(grains, slope, spacing, x, y); };
-  if (slope.corner()) {
-    // Across the diagonal through the middle of the face: where the slip surface lies at the corner
-    // and half a height to either side.
-    const double c = slope.size().crest + 0.5 * slope.face_run();
-    const double t = 0.5 * slope.size().height / sqrt2;
-    const auto base = [&](double x, double y) {
-      return slope.surface(slope.distance(x, y)) - depth(x, y);
-    };
-    outcome.values["slip surface, either side above the corner [m]"] =
-        0.5 * (base(c + t, c - t) + base(c - t, c + t)) - base(c, c);
-    outcome.values["slide depth at P [m]"] = depth(c, c);
-    outcome.values["slide depth at Q [m]"] = depth(c, slope.lateral_section() + 0.5 * spacing);
-    return;
-  }
-  const double width = slope.size().half_width;
-  for (const auto& [name, y] : {std::pair{"M", 0.5 * spacing}, {"side", width - spacing}}) {
-    outcome.values[fmt::format("slide depth at {} [m]", name)] = depth(middle_of_face(slope, y), y);
-  }
-}
-
 double volume_of_slide(const std::vector<Grain>& grains, const Slope3d& slope, double spacing,
                        const std::function<bool(const Grain&)>& counts) {
   double number = 0.0;
@@ -163,33 +134,76 @@ double volume_of_slide(const std::vector<Grain>& grains, const Slope3d& slope, d
   return number * std::pow(spacing, 3);
 }
 
-void measure_probes(const Simulation& fallen, Outcome& outcome) {
-  const bool plane = fallen.scene().dimension == 2;
+/// The section a probe is named after: P1 lies in section P.
+Section section_of(const Slope3d& slope, const std::string& probe) {
+  const std::vector<Section> sections = sections_of(slope);
+  const auto named = std::find_if(sections.begin(), sections.end(), [&](const Section& section) {
+    return section.name.back() == probe.front();
+  });
+  return named == sections.end() ? sections.front() : *named;
+}
+
+void measure_probes(const Simulation& fallen, const Slope3d& slope, Outcome& outcome) {
   double fastest = 0.0;
   for (std::size_t k = 0; k < fallen.scene().probes.size(); ++k) {
     const ProbeSample sample = fallen.probe(k);
     const Vec3 &u = sample.displacement, &v = sample.velocity;
     fastest = std::max(fastest, std::hypot(v[0], v[1], v[2]));
-    outcome.values[sample.probe + ": settlement [m]"] = plane ? -u[1] : -u[2];
-    outcome.values[sample.probe + ": advance [m]"] = plane ? u[0] : std::hypot(u[0], u[1]);
+    outcome.values[sample.probe + ": settlement [m]"] = slope.plane() ? -u[1] : -u[2];
+    outcome.values[sample.probe + ": advance [m]"] = section_of(slope, sample.probe).along(u);
   }
   outcome.values["fastest probe at the end [m/s]"] = fastest;
 }
 
-/// Cracks would show as loose soil; uphill of the toe, over half the height of the slope.
-double lowest_density_above_toe(const std::vector<Grain>& grains, const Slope3d& slope,
-                                const Section& section, double spacing, double reference) {
+/// Cracks would show as grains that have lost their neighbours (density also falls by dilation):
+/// within 1.5 spacings, now over before; on the lower half of the face, 5 % quantile.
+double fewest_neighbours(const std::vector<Grain>& grains, const Slope3d& slope,
+                         const Section& section, double spacing) {
   const double scale = section.diagonal ? sqrt2 : 1.0;
   const double toe = scale * (slope.size().crest + slope.face_run());
-  std::vector<double> density;
+  const double reach = 1.5 * spacing;
+  const auto near = [reach](const Vec3& a, const Vec3& b) {
+    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return x * x + y * y + z * z < reach * reach;
+  };
+  std::vector<double> kept;
   for (const Grain& grain : grains) {
     const double s = section.along(grain.start);
-    if (section.holds(grain, spacing) && s < toe && s > toe - 0.5 * scale * slope.face_run() &&
-        grain.start[2] > slope.size().foundation) {
-      density.push_back(grain.density / reference);
+    if (!section.holds(grain, spacing) || s > toe || s < toe - 0.5 * scale * slope.face_run() ||
+        grain.start[2] < slope.size().foundation) {
+      continue;
     }
+    double before = 0.0, now = 0.0;
+    for (const Grain& other : grains) {
+      before += near(other.start, grain.start);
+      now += near(other.now, grain.now);
+    }
+    kept.push_back(now / before);
   }
-  return quantile(density, 0.05);
+  return quantile(kept, 0.05);
+}
+
+/// Of the slide that now lies on the diagonal, what began more than a spacing beside it.
+double share_from_beside(const std::vector<Grain>& grains, const Slope3d& slope, double spacing) {
+  double on = 0.0, from_beside = 0.0;
+  for (const Grain& grain : grains) {
+    if (!slides(grain, slope) || std::fabs(grain.now[0] - grain.now[1]) > 0.5 * spacing) continue;
+    on += 1.0;
+    from_beside += std::fabs(grain.start[0] - grain.start[1]) > sqrt2 * spacing;
+  }
+  return from_beside / on;
+}
+
+/// Plastic zone of the horizontal section N at half height, over the width of the slope [m].
+double plastic_thickness_of_n(const std::vector<Grain>& grains, const Slope3d& slope,
+                              double spacing) {
+  const double height = slope.size().foundation + 0.5 * slope.size().height;
+  double number = 0.0;
+  for (const Grain& grain : grains) {
+    number += grain.strain > plastic_strain && grain.start[2] > height &&
+              grain.start[2] < height + spacing;
+  }
+  return number * spacing * spacing / slope.width();
 }
 
 }  // namespace
@@ -213,14 +227,13 @@ void watch_probes(const Simulation& now, const Slope3d& slope, Outcome& outcome)
 void measure_slide(const Simulation& fallen, const Slope3d& slope, Outcome& outcome) {
   const std::vector<Grain> grains = grains_of(fallen);
   const double spacing = fallen.scene().spacing;
-  measure_probes(fallen, outcome);
+  measure_probes(fallen, slope, outcome);
   measure_stress(grains, slope, spacing, "at the end", outcome);
   for (const Section& section : sections_of(slope)) {
     measure_section(grains, slope, section, spacing, outcome);
-    if (!slope.plane()) {
-      outcome.values[section.name + ": lowest density above the toe [-]"] =
-          lowest_density_above_toe(grains, slope, section, spacing,
-                                   fallen.scene().materials.front().density);
+    if (slope.corner()) {
+      outcome.values[section.name + ": fewest neighbours above the toe, now over before [-]"] =
+          fewest_neighbours(grains, slope, section, spacing);
     }
   }
   std::vector<double> moved;
@@ -237,7 +250,7 @@ void measure_slide(const Simulation& fallen, const Slope3d& slope, Outcome& outc
   outcome.values["residual velocity [m/s]"] = fallen.last_step().max_velocity;
   outcome.values["particles [-]"] = static_cast<double>(grains.size());
   if (slope.plane()) return;
-  measure_surface(grains, slope, spacing, outcome);
+  measure_slip_surface(grains, slope, spacing, outcome);
   const double halves = slope.corner() ? 1.0 : 2.0;  // case 1 is run on one side of section M
   outcome.values["slide volume [m3]"] =
       halves * volume_of_slide(grains, slope, spacing, [](const Grain&) { return true; });
@@ -250,7 +263,17 @@ void measure_slide(const Simulation& fallen, const Slope3d& slope, Outcome& outc
     const double x_side = side(0, 1), y_side = side(1, 0);
     outcome.values["slide volume, difference of the sides over both [-]"] =
         std::fabs(x_side - y_side) / (x_side + y_side);
+    outcome.values["section P: share of the slide from beside [-]"] =
+        share_from_beside(grains, slope, spacing);
+    return;
   }
+  outcome.values["section N: plastic thickness [m]"] =
+      plastic_thickness_of_n(grains, slope, spacing);
+  outcome.values["share of the slide at the rough side [-]"] =
+      halves *
+      volume_of_slide(grains, slope, spacing,
+                      [&](const Grain& g) { return g.start[1] > slope.width() - 2.0 * spacing; }) /
+      outcome.at("slide volume [m3]");
 }
 
 }  // namespace scarp::validation

@@ -8,7 +8,7 @@ import scarp_report as scarp
 import slope_figures as slopes
 
 plt = scarp.plt
-LAYERS, BASE = 6, 0.036
+LAYERS, GATE, BASE, FILL = 6, 0.3, 0.036, 0.144
 GREYS = ["#31688e", "#fde725"]  # neighbouring layers in turn
 
 
@@ -38,7 +38,7 @@ def _shape(page, frame, figures):
     lines = ax.contour(x, y, top.reshape(len(y), len(x)), levels=np.arange(0.05, 0.18, 0.02), colors="black",
                        linewidths=0.7)
     ax.clabel(lines, fmt="%.2f", fontsize=7)
-    ax.axvline(0.3, color="#d62728", linewidth=0.8, linestyle="--")
+    ax.axvline(GATE, color="#d62728", linewidth=0.8, linestyle="--")
     ax.set_title("(b)")
     page.figure(figure, "Beside Fig. 2 (b): elevation from above with contours every 20 mm; red dashes: the gate. The "
                 "observed contours are not available as numbers.", figures / "fig_2b.png")
@@ -61,8 +61,8 @@ def _profiles(page, runs, figures):
         ax.grid(alpha=0.25, linewidth=0.5)
         ax.legend(fontsize=7, loc="lower left")
     for factor, words, style in ((1.2, "Lube 2005", ":"), (1.8, "Lajeunesse 2005", "-.")):
-        axes[1].axvline(0.3 + factor * 0.144, color="#999999", linestyle=style, linewidth=0.9)
-        axes[1].text(0.3 + factor * 0.144, 0.13 if factor < 1.5 else 0.11, f" {words}", fontsize=7, color="#555555")
+        axes[1].axvline(GATE + factor * FILL, color="#999999", linestyle=style, linewidth=0.9)
+        axes[1].text(GATE + factor * FILL, 0.13 if factor < 1.5 else 0.11, f" {words}", fontsize=7, color="#555555")
     page.figure(figure, "Beside Fig. 2 (c) and (d): profiles at x = 212 mm from the back wall, in the middle plane and at "
                 "y = 100 mm; grey: fronts of planar columns in experiments, which cannot spread to the sides.",
                 figures / "fig_2cd.png")
@@ -70,10 +70,10 @@ def _profiles(page, runs, figures):
 
 def _layers(page, frame, path, figures):
     dx = frame["spacing"]
-    base = dx * round(BASE / dx)  # the case moves faces to whole spacings
+    gate, base, top = (dx * np.floor(face / dx + 0.5) for face in (GATE, BASE, BASE + FILL))  # as the case moves them
     middle = slopes.part(frame, frame["position"][:, 1] < dx)
     start = slopes.settled_place(middle)
-    fill = (start[:, 0] < 0.3) & (start[:, 2] > base)
+    fill = (start[:, 0] < gate) & (start[:, 2] > base)
     moved = np.linalg.norm(middle["fields"]["displacement"], axis=1)
     figure, ax = plt.subplots(figsize=(9.0, 3.8))
     ax.set_aspect("equal")
@@ -81,7 +81,7 @@ def _layers(page, frame, path, figures):
     ax.set_ylim(0, 0.2)
     points_per_metre = 72 * 8.0 / 0.55
     size = (dx * points_per_metre) ** 2 * (0.25 + 0.75 * moved / max(moved.max(), 1e-12))
-    layer = np.clip(((start[:, 2] - base) / (0.144 / LAYERS)).astype(int), 0, LAYERS - 1)
+    layer = np.clip(((start[:, 2] - base) / ((top - base) / LAYERS)).astype(int), 0, LAYERS - 1)
     colours = np.array(GREYS)[layer % 2]
     colours[~fill] = "#bbbbbb"
     ax.scatter(*middle["position"][:, [0, 2]].T, s=size, c=colours, linewidths=0)

@@ -56,6 +56,18 @@ std::array<double, 2> steepest(const Line& line, double spacing) {
   return found;
 }
 
+/// Mean over the grains (x, z, strain) at whose place `counts` holds.
+template <class Counts>
+double mean_strain(const std::vector<std::array<double, 3>>& grains, Counts&& counts) {
+  double sum = 0.0, number = 0.0;
+  for (const auto& [x, z, strain] : grains) {
+    if (!counts(x, z)) continue;
+    sum += strain;
+    number += 1.0;
+  }
+  return sum / number;
+}
+
 }  // namespace
 
 void measure_layers(const Simulation& fallen, const std::vector<double>& start,
@@ -64,7 +76,6 @@ void measure_layers(const Simulation& fallen, const std::vector<double>& start,
                             strain = fallen.field("accumulated_plastic_strain");
   const double spacing = fallen.scene().spacing;
   CsvFile table(folder / "layers.csv", {"boundary", "x [m]", "z [m]"});
-  double near = 0.0, near_count = 0.0, all = 0.0, all_count = 0.0;
   std::vector<std::array<double, 2>> points;
   for (int b = 1; b < layer_count; ++b) {
     const double height = size.base_layer + size.fill * b / layer_count;
@@ -77,18 +88,32 @@ void measure_layers(const Simulation& fallen, const std::vector<double>& start,
     outcome.values[fmt::format("boundary {}: inflection x [m]", b)] = points.back()[0];
     outcome.values[fmt::format("boundary {}: inflection z [m]", b)] = points.back()[1];
   }
+  std::vector<std::array<double, 3>> fill;  // present x and z, strain
   for (std::size_t i = 0; i < strain.size(); ++i) {
-    if (start[3 * i + 1] > spacing || start[3 * i] > size.gate) continue;
-    all += strain[i];
-    all_count += 1.0;
-    const bool close = std::any_of(points.begin(), points.end(), [&](const auto& point) {
-      return std::hypot(position[3 * i] - point[0], position[3 * i + 2] - point[1]) < 2.0 * spacing;
-    });
-    near += close ? strain[i] : 0.0;
-    near_count += close;
+    if (start[3 * i + 1] < spacing && start[3 * i] < size.gate &&
+        start[3 * i + 2] > size.base_layer)
+      fill.push_back({position[3 * i], position[3 * i + 2], strain[i]});
   }
-  outcome.values["plastic strain at the inflection points over the section's mean [-]"] =
-      (near / near_count) / (all / all_count);
+  const auto around = [&](double x, double z) {
+    return mean_strain(
+        fill, [&](double px, double pz) { return std::hypot(px - x, pz - z) < 2.0 * spacing; });
+  };
+  double off = 0.0, near = 0.0;
+  for (const auto& [x, z] : points) {
+    double most = -1.0, at = std::nan("");
+    for (const auto& [px, pz, grain] : fill) {
+      if (std::fabs(pz - z) > 0.75 * spacing) continue;
+      if (const double here = around(px, pz); here > most) {
+        most = here;
+        at = px;
+      }
+    }
+    off += std::fabs(at - x) / spacing / static_cast<double>(points.size());
+    near += around(x, z) / static_cast<double>(points.size());
+  }
+  outcome.values["inflection points from the most sheared soil over spacing [-]"] = off;
+  outcome.values["plastic strain at the inflection points over the fill's [-]"] =
+      near / mean_strain(fill, [](double, double) { return true; });
 }
 
 }  // namespace scarp::validation

@@ -3,6 +3,7 @@
 
 #include "validation/cases/slope_corner/corner_mechanism.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scarp::validation {
@@ -10,10 +11,17 @@ namespace {
 
 using Shape = SlopeShape;
 
-Finding slip_surface(const ReadingOutcomes& all, Shape shape, double sign) {
-  const double above = all.of(shape).at("slip surface, either side above the corner [m]");
-  return {if_measured({above}, sign * above > 0.0),
-          fmt::format("either side {:.3g} m above the corner", above)};
+/// Rises (sign 1) or falls to either side of the corner; `junction` is what the slides do there.
+Finding wing(const ReadingOutcomes& all, Shape shape, double sign, bool junction) {
+  const Outcome& outcome = all.of(shape);
+  const double above = outcome.at("slip surface beside P above that at P [m]"),
+               ground = outcome.at("ground beside P above that at P [m]"),
+               at_p = outcome.at("slide depth at P [m]"),
+               beside = outcome.at("slide depth beside P [m]");
+  return {if_measured({above, at_p, beside}, beside > 0.0 && sign * above > 0.0 && junction),
+          fmt::format("{:.3g} m to either side, the ground {:.3g} m; slide {:.3g} m deep at P, "
+                      "{:.3g} m beside",
+                      above, ground, at_p, beside)};
 }
 
 Pair normal_stress(const ReadingOutcomes& all, Shape shape, const char* moment) {
@@ -32,11 +40,14 @@ Finding zone_shape(const ReadingOutcomes& all, Shape shape, bool triangle) {
 }  // namespace
 
 Finding concave_wing(const ReadingOutcomes& all) {
-  return slip_surface(all, Shape::concave_corner, 1.0);
+  const Outcome& concave = all.of(Shape::concave_corner);
+  return wing(all, Shape::concave_corner, 1.0,
+              concave.at("slide depth at P [m]") < concave.at("slide depth beside P [m]"));
 }
 
 Finding convex_wing(const ReadingOutcomes& all) {
-  return slip_surface(all, Shape::convex_corner, -1.0);
+  const Outcome& convex = all.of(Shape::convex_corner);
+  return wing(all, Shape::convex_corner, -1.0, convex.at("slide depth at P [m]") > 0.0);
 }
 
 Finding symmetrical(const ReadingOutcomes& all) {
@@ -60,34 +71,62 @@ Finding stresses_hold_concave(const ReadingOutcomes& all) {
           fmt::format("concave {:.3g}, 2D {:.3g}, convex {:.3g} kPa", concave, plane, convex)};
 }
 
+Finding sides_differ_in_direction(const ReadingOutcomes& all) {
+  const auto turn = [&](Shape shape) {
+    return all.of(shape).at("beside P: turn of the greater pressure, settled [deg]");
+  };
+  const double concave = turn(Shape::concave_corner), convex = turn(Shape::convex_corner);
+  return {if_measured({concave, convex}, std::fabs(concave) > 5.0 && std::fabs(convex) > 5.0),
+          fmt::format("concave {:.3g}, convex {:.3g} deg", concave, convex)};
+}
+
 Finding q_fails_first(const ReadingOutcomes& all) {
+  std::vector<double> times;
   std::string numbers;
   bool holds = true;
   for (const Shape shape : {Shape::concave_corner, Shape::convex_corner}) {
-    const double p = all.of(shape).at("P1: failed after [s]"),
-                 q = all.of(shape).at("Q1: failed after [s]");
-    holds &= q < (std::isnan(p) ? INFINITY : p);  // NaN: it never failed
+    const double p = failed_after(all.of(shape), "P1"), q = failed_after(all.of(shape), "Q1");
+    times.insert(times.end(), {p, q});
+    holds &= q < p;
     numbers +=
         fmt::format("{}{} P1 {:.3g}, Q1 {:.3g} s", numbers.empty() ? "" : "; ", words(shape), p, q);
   }
-  return {holds, numbers};
+  return {if_measured(times, holds), numbers + " (inf: never)"};
+}
+
+Finding q_helps_p(const ReadingOutcomes& all) {
+  const double concave = all.of(Shape::concave_corner).at("P1: settlement [m]"),
+               convex = all.of(Shape::convex_corner).at("P1: settlement [m]"),
+               plane = all.of(Shape::plane_35).at("crest: settlement [m]");
+  return {if_measured({concave, convex, plane}, std::max(concave, convex) < plane),
+          fmt::format("concave {:.3g}, convex {:.3g}, 2D of P {:.3g} m", concave, convex, plane)};
 }
 
 Finding convex_top_sinks_by_q(const ReadingOutcomes& all) {
   const Outcome& convex = all.of(Shape::convex_corner);
-  const double q = convex.at("Q1: failed after [s]"), p = convex.at("P1: failed after [s]"),
-               foot = convex.at("P2: advance [m]"), sinks = convex.at("P1: settlement [m]");
-  return {if_measured({foot, sinks}, q < p && foot < sinks),
-          fmt::format(
-              "Q1 fails after {:.3g} s, P1 after {:.3g} s; P1 sinks {:.3g} m, P2 advances {:.3g} m",
-              q, p, sinks, foot)};
+  const double q = failed_after(convex, "Q1"), p = failed_after(convex, "P1"),
+               whole_p = convex.at("section P: mean displacement of the soil above the toe [m]"),
+               whole_q = convex.at("section Q: mean displacement of the soil above the toe [m]");
+  return {if_measured({q, p, whole_p, whole_q}, q < p && whole_p < whole_q),
+          fmt::format("Q1 fails after {:.3g} s, P1 after {:.3g} s; soil above the toe moves "
+                      "{:.3g} m in Q, {:.3g} m in P",
+                      q, p, whole_q, whole_p)};
 }
 
 Finding cracks_at_corner_toe(const ReadingOutcomes& all) {
   const Outcome& convex = all.of(Shape::convex_corner);
-  const Pair density{convex.at("section P: lowest density above the toe [-]"),
-                     convex.at("section Q: lowest density above the toe [-]")};
-  return density.finding(density.p < density.q, "of the initial density");
+  constexpr const char* kept = "section {}: fewest neighbours above the toe, now over before [-]";
+  const Pair share{convex.at(fmt::format(kept, "P")), convex.at(fmt::format(kept, "Q"))};
+  return share.finding(share.p < 0.9 * share.q, "of the neighbours");
+}
+
+Finding cracks_reduce_deformation(const ReadingOutcomes& all) {
+  const Outcome& convex = all.of(Shape::convex_corner);
+  const Pair toe{convex.at("P2: advance [m]"), convex.at("Q2: advance [m]")},
+      foot{convex.at("section P: front: advance [m]"), convex.at("section Q: front: advance [m]")};
+  return {if_measured({toe.p, toe.q, foot.p, foot.q}, toe.p < toe.q && foot.p < foot.q),
+          fmt::format("P2 {:.3g}, Q2 {:.3g} m; foot of the slide P {:.3g}, Q {:.3g} m", toe.p,
+                      toe.q, foot.p, foot.q)};
 }
 
 Finding concave_triangle(const ReadingOutcomes& all) {
@@ -98,11 +137,10 @@ Finding convex_quadrilateral(const ReadingOutcomes& all) {
   return zone_shape(all, Shape::convex_corner, false);
 }
 
-Finding plastic_by_lateral_slides(const ReadingOutcomes& all) {
-  const Outcome& concave = all.of(Shape::concave_corner);
-  const Pair area{concave.at("section P: plastic area [m2]"),
-                  concave.at("section Q: plastic area [m2]")};
-  return area.finding(area.p < area.q, "m2");
+Finding slide_from_beside(const ReadingOutcomes& all) {
+  const double share =
+      all.of(Shape::concave_corner).at("section P: share of the slide from beside [-]");
+  return {if_measured({share}, share > 0.5), fmt::format("{:.3g} %", 100.0 * share)};
 }
 
 }  // namespace scarp::validation

@@ -22,11 +22,14 @@ Finding convex_wing(const ReadingOutcomes& all);
 Finding symmetrical(const ReadingOutcomes& all);
 Finding centre_less_constrained(const ReadingOutcomes& all);
 Finding stresses_hold_concave(const ReadingOutcomes& all);
+Finding sides_differ_in_direction(const ReadingOutcomes& all);
+Finding q_helps_p(const ReadingOutcomes& all);
+Finding cracks_reduce_deformation(const ReadingOutcomes& all);
 Finding q_fails_first(const ReadingOutcomes& all);
 Finding convex_top_sinks_by_q(const ReadingOutcomes& all);
 Finding cracks_at_corner_toe(const ReadingOutcomes& all);
 Finding concave_triangle(const ReadingOutcomes& all);
 Finding convex_quadrilateral(const ReadingOutcomes& all);
-Finding plastic_by_lateral_slides(const ReadingOutcomes& all);
+Finding slide_from_beside(const ReadingOutcomes& all);
 
 }  // namespace scarp::validation

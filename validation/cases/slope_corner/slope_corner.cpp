@@ -9,7 +9,8 @@
 namespace scarp::validation {
 namespace {
 
-/// The second spacing is the coarser one: corners hold four to seven times the soil of case 1.
+/// The second spacing is the coarser one, and all but the first readings are run at it: corners
+/// hold four to seven times the soil of case 1.
 const ReadingPlan plan{{SlopeShape::concave_corner, SlopeShape::convex_corner, SlopeShape::plane_35,
                         SlopeShape::plane_45},
                        4.0 / 3.0};
@@ -21,8 +22,10 @@ std::vector<PlannedRun> slope_corner_runs(const CaseRun& run) { return planned_r
 void slope_corner(CaseRun& run) {
   std::vector<ReadingOutcomes> readings = run_readings(run, plan);
   judge_slopes(run, readings);
-  add_outcomes_of("slope_curvature", run,
-                  {{SlopeShape::concave, SlopeShape::convex}, plan.other_spacing}, readings);
+  add_outcomes_of(
+      "slope_curvature", run,
+      {{SlopeShape::concave, SlopeShape::straight, SlopeShape::convex}, plan.other_spacing},
+      readings);
   judge_corner_claims(run, readings);
   run.finish(nullptr);
 }

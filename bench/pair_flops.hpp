@@ -8,7 +8,7 @@ namespace scarp::bench {
 
 /// Flops of one pair: a multiply-add counts 2, square root and division 1 each, maximum, minimum
 /// and selection 0. The artificial stress counts where it is at work, which depends on the state.
-/// 97 for all terms in 3D without correction, 140 with the artificial stress.
+/// 97 for all terms in 3D without correction and diffusion, 140 with the artificial stress.
 inline int pair_flops(const kernels::SweepVariant& variant) {
   const int d = variant.dimension, components = d == 2 ? 4 : 6;
   const bool gradient = variant.terms != kernels::Terms::force;

@@ -12,7 +12,8 @@ namespace {
 
 using kernels::SymTensor;
 
-/// Powers are sampled every so many steps: each sample costs two force sweeps.
+/// Powers are sampled every so many steps: each sample costs two force sweeps, with artificial
+/// stress three, and where a wall moves those of `wall_reactions` besides.
 constexpr std::uint64_t steps_per_sample = 10;
 
 /// Stored energies and per-mass work fields summed over the particles; `plastic` and `diffusion`

@@ -54,7 +54,7 @@ std::vector<UsedFeature> used_features(const State& state) {
                    [](const Wall& w) { return w.velocity != Vec3{}; }),
        "dummies are moved every step"},
       {"energy balance", state.scene.output.energy,
-       bytes({Field::stress_work, Field::plastic_work}) +
+       bytes({Field::stress_work, Field::plastic_work, Field::diffusion_work}) +
            ", two or three more force sweeps every 10 steps"},
   };
 }

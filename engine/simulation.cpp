@@ -273,7 +273,8 @@ int Simulation::threads() const { return impl_->state.threads; }
 std::size_t Simulation::memory_bytes() const {
   const State& s = impl_->state;
   return s.particles.bytes() + s.records.bytes() + s.narrow_records.bytes() + s.walls.bytes() +
-         s.lists.bytes() + s.wall_lists.bytes() + s.soil_cells.bytes() + s.wall_cells.bytes();
+         s.images.bytes() + s.lists.bytes() + s.wall_lists.bytes() + s.soil_cells.bytes() +
+         s.image_cells.bytes() + s.wall_cells.bytes();
 }
 std::uint64_t Simulation::rebuild_count() const { return impl_->state.rebuilds; }
 std::uint64_t Simulation::density_bound_count() const { return impl_->state.density_bounds; }

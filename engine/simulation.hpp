@@ -168,7 +168,7 @@ class Simulation {
   double lattice_moment() const;  ///< M of the undisturbed lattice for this smoothing function
   std::string isa() const;        ///< the instruction set in use
   int threads() const;
-  std::size_t memory_bytes() const;           ///< state, records and lists
+  std::size_t memory_bytes() const;           ///< state, records, walls, images, cells and lists
   std::uint64_t rebuild_count() const;        ///< of the neighbour lists so far
   std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far
   const StepLimitCounts& step_limit_counts() const;

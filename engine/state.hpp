@@ -47,7 +47,7 @@ struct ForcePowers {
 /// Energies of the present stage: integrals of powers that are sampled every few steps.
 struct EnergyLedger {
   ForcePowers work;
-  ForcePowers last_powers;  ///< a stage starts at rest: zero
+  ForcePowers last_powers;  ///< zero when a stage begins: it mostly begins at rest
   double last_time = 0.0;
   std::uint64_t last_step = 0;
   EnergyBalance start;  ///< stored energies when the stage began

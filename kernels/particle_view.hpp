@@ -83,7 +83,7 @@ template <class Real>
 struct SmoothingView {
   Real derivative[3];     ///< of b^2, b^3, b^4
   Real derivative_inner;  ///< of a^2
-  Real value[3];          ///< of b^3, b^4, b^5, scaled by alpha_D / h^d
+  Real value[3];          ///< of b^3, b^4, b^5
   Real value_inner;       ///< of a^3
 };
 
@@ -189,7 +189,7 @@ struct WallSweepView {
   const Real* records;
   NeighbourView neighbours;  ///< clusters of dummies, entries in the soil range
   SmoothingView<Real> smoothing;
-  Real gravity[3];          ///< g - a_wall, times h [m2/s2]
+  Real gravity[3];          ///< g times h [m2/s2]
   std::int64_t first_wall;  ///< index of the first dummy in `records`
   const Real* faces;        ///< dummies x wall_record_size, padding included
   double* velocity[3];      ///< by dummy [m/s]

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The few vector operations the kernels need beyond arithmetic; the only place that names xsimd
-/// types.
+/// The few vector operations the kernels need beyond arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -69,7 +68,6 @@ struct HalfSelect<float, xsimd::avx512bw> {
 };
 #endif
 
-/// 1/sqrt(x), accurate to a few ulp. Pre: x is finite and normal.
 /// Difference of two record positions in units of h. Accuracy: exact for the positions stored.
 template <class Arch>
 SCARP_INLINE Batch<double, Arch> position_difference(const Batch<double, Arch>& a,
@@ -84,6 +82,7 @@ SCARP_INLINE Batch<float, Arch> position_difference(const Batch<float, Arch>& a,
   return xsimd::to_float(steps) * Batch<float, Arch>(static_cast<float>(position_step));
 }
 
+/// 1/sqrt(x), accurate to a few ulp. Pre: x is finite and normal.
 template <class Real, class Arch>
 SCARP_INLINE Batch<Real, Arch> inverse_sqrt(const Batch<Real, Arch>& x) {
   return Batch<Real, Arch>(Real(1)) / xsimd::sqrt(x);

@@ -32,6 +32,8 @@ std::vector<WallReaction> wall_reactions(State& state) {
   AlignedVector<double> acceleration[3];
   kernels::PairSweepView<double> view = sweep_view(state);
   view.approach_rate = nullptr;
+  // As in the step's own sweep; empty tension records leave the force as it is.
+  state.records.fill(view, state.records.has_tension_records());
   for (std::size_t a = 0; a < 3; ++a) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
     view.acceleration[a] = acceleration[a].data();

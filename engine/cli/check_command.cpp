@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <vector>
 
 #include "engine/cli/commands.hpp"
@@ -24,12 +23,16 @@ using Json = nlohmann::ordered_json;
 
 /// Neighbours a particle has in the undisturbed lattice, itself not counted: the support is 2h
 /// wide.
-double lattice_neighbours(const Scene& scene) {
+int lattice_neighbours(const Scene& scene) {
   const double radius = 2.0 * scene.numerics.smoothing_ratio;  // in spacings
-  const double particles = scene.dimension == 2
-                               ? std::numbers::pi * radius * radius
-                               : 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-  return particles - 1.0;
+  const int reach = static_cast<int>(radius), high = scene.dimension == 2 ? 0 : reach;
+  int count = -1;
+  for (int x = -reach; x <= reach; ++x) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int z = -high; z <= high; ++z) count += x * x + y * y + z * z < radius * radius;
+    }
+  }
+  return count;
 }
 
 Json summary(const Simulation& simulation) {

@@ -21,7 +21,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What `run` and `check` have in common: a scene and what to change in it.
+/// What all commands that take a scene have in common: the scene and what to change in it.
 struct SceneArguments {
   std::string file;
   std::string preset;   ///< in place of the scene's

@@ -80,7 +80,7 @@ DissipationRates dissipation_rates(const Numerics& numerics, const LatticeSums& 
   // Damping by the velocity before is a forward step, stable up to a rate of 2/dt; half of that
   // leaves room for the wave itself. In Verlet's leap it feeds a second solution, which begins as
   // (rate dt)^2/4, grows by exp(rate dt) a step and ends with the next forward step: at the CFL
-  // number 0.2 of its preset it stays below 1 up to a rate of 5.2/(M dt), 26/M in units of 1/dt.
+  // number 0.2 of its preset it stays below 1 up to a rate of 5.2/(M dt), 26/M in units of c/h.
   const double share = numerics.integrator == Integrator::verlet
                            ? std::min(1.0, 26.0 / numerics.verlet_restart_interval)
                            : 1.0;

@@ -8,8 +8,8 @@ namespace scarp {
 
 /// Shortest time within `dt` at which a particle that is still elastic would meet the yield surface
 /// by its elastic rate, but at least a tenth of `dt`. Equation: L1 (the paper names such a
-/// technique without its formula). Pre: the velocity gradient of this step has been swept. Limits:
-/// ignores rotation and diffusion.
+/// technique without its formula). Reads the last velocity gradient swept: with kick-drift-kick
+/// that of the middle of the step before. Limits: ignores rotation and diffusion.
 double time_to_first_yield(State& state, double dt);
 
 }  // namespace scarp

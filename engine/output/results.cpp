@@ -34,7 +34,7 @@ Json json_of(const Measure& measure) {
 Json json_of(const Numerics& n) {
   constexpr std::array smoothing{"yang_liu", "cubic_spline", "wendland_c2"};
   constexpr std::array rotation{"jaumann", "hughes_winget"};
-  constexpr std::array plasticity{"return_mapping", "rate", "rate_corrected"};
+  constexpr std::array plasticity{"return", "rate", "rate_corrected"};
   constexpr std::array integrator{"verlet", "kick_drift_kick"};
   return {{"smoothing", smoothing[static_cast<std::size_t>(n.smoothing)]},
           {"smoothing_ratio", n.smoothing_ratio},
@@ -45,10 +45,16 @@ Json json_of(const Numerics& n) {
           {"viscosity_alpha", n.viscosity_alpha},
           {"viscosity_beta", n.viscosity_beta},
           {"artificial_stress", n.artificial_stress},
+          {"artificial_stress_exponent", n.artificial_stress_exponent},
           {"stress_diffusion", n.stress_diffusion},
+          {"diffusion_shear_gate", n.diffusion_shear_gate},
           {"integrator", integrator[static_cast<std::size_t>(n.integrator)]},
           {"verlet_restart_interval", n.verlet_restart_interval},
-          {"cfl", n.cfl}};
+          {"cfl", n.cfl},
+          {"near_yield_limiter", n.near_yield_limiter},
+          {"skin", n.skin},
+          {"density_minimum", n.density_minimum},
+          {"density_maximum", n.density_maximum}};
 }
 
 Json json_of(const Instability& what) {

@@ -2,6 +2,7 @@
 /// Storage of the soil particles.
 #include "engine/particles/particle_buffers.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/parallel.hpp"
@@ -40,7 +41,8 @@ std::int64_t ParticleBuffers::count() const {
   return sum;
 }
 
-void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order) {
+void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order,
+                              std::span<const Field> also) {
   const auto gather = [&](auto& array) {
     auto sorted = array;
     parallel_chunks(threads, slots_, particle_chunk, [&](std::int64_t begin, std::int64_t end) {
@@ -52,7 +54,8 @@ void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order) 
     array.swap(sorted);
   };
   for (const FieldRow& field : field_list) {
-    if (field.lifetime != Lifetime::state) continue;
+    const bool asked = std::find(also.begin(), also.end(), field.field) != also.end();
+    if (field.lifetime != Lifetime::state && !asked) continue;
     for (auto& array : data_[static_cast<std::size_t>(field.field)]) {
       if (!array.empty()) gather(array);
     }

@@ -62,7 +62,7 @@ struct Material {
   std::vector<double> parameters;  ///< in the order the model declares, SI
 };
 
-struct Polygon {  ///< 2D outline, or its extrusion along z (3D: along `axis`)
+struct Polygon {  ///< 2D outline, or in 3D its extrusion along y
   std::vector<std::array<double, 2>> points;
   /// 3D only: outline lies in the x-z plane (z up) and is extruded along y over this range.
   std::array<double, 2> extrude{0.0, 0.0};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Pair term of the artificial stress, its weight F^n, and the artificial stress tensor of one
-/// particle.
+/// Pair term of the artificial stress and its weight F^n.
 #pragma once
 
 #include "kernels/pair/momentum.hpp"

@@ -9,7 +9,7 @@ namespace scarp::kernels {
 /// Equation: E26, E30; mu = h v.x/(r^2 + 0.01 h^2), Pi = (-alpha c mu + beta mu^2)/rho with pair
 /// means of c and rho; acts on approach only. Adds -rho_i m_j Pi grad W to the force; keeps min mu
 /// for the time step (its regularisation by 0.01 h^2 stands in for Eq. 30's r^2, at most 2 % at
-/// neighbour distance). 10 flops.
+/// neighbour distance). 9 + 2 d flops.
 template <class B>
 struct Viscosity {
   B lowest_mu = B(0);

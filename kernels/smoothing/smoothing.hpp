@@ -10,8 +10,8 @@ struct SmoothingForm {
   const char* name;
   double value[3];
   double value_inner;
-  double normalisation_2d;  ///< alpha_D h^2
-  double normalisation_3d;  ///< alpha_D h^3
+  double normalisation_2d;  ///< alpha_D of 2D, h = 1
+  double normalisation_3d;  ///< alpha_D of 3D, h = 1
 
   constexpr double normalisation(int dimension) const {
     return dimension == 2 ? normalisation_2d : normalisation_3d;

@@ -58,6 +58,18 @@ TEST(ElasticColumnTest, BaseCarriesTheWeight) {
   EXPECT_NEAR(reaction.force[0], 0.0, 1e-4 * weight);
 }
 
+TEST(ElasticColumnTest, CeilingCarriesTheWeightInTension) {
+  Scene scene = elastic_column("paper", 1.0, 0.125);
+  ASSERT_GT(scene.numerics.artificial_stress, 0.0);
+  scene.gravity = {0.0, 9.81, 0.0};  // hangs from its base
+  scene.initial_stress = InitialStress::zero;
+  Simulation simulation(scene, {1, {}});
+  while (!simulation.finished()) simulation.step();
+  const double weight = 2000.0 * 9.81 * 1.0;
+  // As above; the artificial stress carries a part of it.
+  EXPECT_NEAR(simulation.wall_reactions().front().force[1], weight, 1e-4 * weight);
+}
+
 TEST(FreeBlockTest, ConservesMomentum) {
   for (const char* name : {"paper", "modern"}) {
     Scene scene = elastic_column(name, 1.0, 0.1);

@@ -239,7 +239,7 @@ void modern_disc(CaseRun& run, std::optional<Simulation>& last) {
                  "the band above must bite: truncated sums take rotation for strain"));
 }
 
-/// `paper` has stopped after two turns, and its small steps make ten dear.
+/// `paper` has stopped after two turns.
 void paper_disc(CaseRun& run, std::optional<Simulation>& last) {
   const std::vector<double> spacings =
       run.spacings(run.options().form == Form::full ? std::vector{0.1, 0.05} : std::vector{0.1});

@@ -109,9 +109,9 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
 void add(const Sweep& sweep, const Body& body, BlockOptions options) {
   options.numerics = body.numerics;
   options.tension = body.tension;
-  const std::string block = fmt::format("{}d/{}/{}/{}/{}/threads:{}", options.dimension, body.name,
-                                        precision_name(body.numerics.precision), options.isa,
-                                        options.particles, options.threads);
+  const std::string block =
+      fmt::format("{}d/{}/{}/{}/{}/threads:{}", options.dimension, body.name,
+                  word(body.numerics.precision), options.isa, options.particles, options.threads);
   benchmark::RegisterBenchmark(fmt::format("{}/{}", sweep.name, block).c_str(),
                                [=](benchmark::State& bench) { run(bench, sweep, options, block); })
       ->UseRealTime()

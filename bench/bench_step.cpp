@@ -124,8 +124,7 @@ void add_all(bool full) {
         for (const Precision precision : {Precision::real64, Precision::mixed}) {
           BlockOptions options{dimension, particles, preset(name), threads, {}};
           options.numerics.precision = precision;
-          add_block(fmt::format("block/{}d/{}/{}", dimension, name, precision_name(precision)),
-                    options);
+          add_block(fmt::format("block/{}d/{}/{}", dimension, name, word(precision)), options);
         }
       }
       add_block(fmt::format("weak/3d/{}/double", name),

@@ -254,7 +254,8 @@ State make_state(Scene scene, const RunOptions& options) {
   for (std::size_t m = 0; m < state.scene.materials.size(); ++m) {
     const kernels::StressPassConstants& c = state.material_constants[m];
     state.scaling.mass.push_back(state.scene.materials[m].density * state.particle_volume);
-    state.scaling.wave_modulus.push_back(c.bulk_modulus + 4.0 / 3.0 * c.shear_modulus);
+    state.scaling.wave_modulus.push_back(
+        kernels::ElasticModuli{c.bulk_modulus, c.shear_modulus}.wave_modulus());
   }
   set_pair_constants(state);
   const SoilPoints soil = generate_soil(state.scene);

@@ -84,8 +84,6 @@ Json json_of(const ElementSample& sample, bool plastic) {
 
 Json summary(const Scene& scene, const ElementTest& test, const ElementResult& result,
              const std::string& table) {
-  constexpr std::array rotation{"jaumann", "hughes_winget"};
-  constexpr std::array plasticity{"return", "rate", "rate_corrected"};
   const Material& material = scene.materials[test.material];
   Json json{{"format", "scarp element"},
             {"version", 1},
@@ -94,8 +92,8 @@ Json summary(const Scene& scene, const ElementTest& test, const ElementResult& r
             {"model", material.model},
             {"path", element_path_names[static_cast<std::size_t>(test.path)]},
             {"preset", scene.numerics.preset},
-            {"stress_rotation", rotation[static_cast<std::size_t>(scene.numerics.stress_rotation)]},
-            {"plasticity", plasticity[static_cast<std::size_t>(scene.numerics.plasticity)]},
+            {"stress_rotation", word(scene.numerics.stress_rotation)},
+            {"plasticity", word(scene.numerics.plasticity)},
             {"dimension", result.dimension},
             {"isa", result.isa},
             {"confining_pressure", test.confining_pressure},

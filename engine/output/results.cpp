@@ -32,23 +32,19 @@ Json json_of(const Measure& measure) {
 }
 
 Json json_of(const Numerics& n) {
-  constexpr std::array smoothing{"yang_liu", "cubic_spline", "wendland_c2"};
-  constexpr std::array rotation{"jaumann", "hughes_winget"};
-  constexpr std::array plasticity{"return", "rate", "rate_corrected"};
-  constexpr std::array integrator{"verlet", "kick_drift_kick"};
-  return {{"smoothing", smoothing[static_cast<std::size_t>(n.smoothing)]},
+  return {{"smoothing", word(n.smoothing)},
           {"smoothing_ratio", n.smoothing_ratio},
           {"lattice_normalisation", n.lattice_normalisation},
           {"gradient_correction", n.gradient_correction},
-          {"stress_rotation", rotation[static_cast<std::size_t>(n.stress_rotation)]},
-          {"plasticity", plasticity[static_cast<std::size_t>(n.plasticity)]},
+          {"stress_rotation", word(n.stress_rotation)},
+          {"plasticity", word(n.plasticity)},
           {"viscosity_alpha", n.viscosity_alpha},
           {"viscosity_beta", n.viscosity_beta},
           {"artificial_stress", n.artificial_stress},
           {"artificial_stress_exponent", n.artificial_stress_exponent},
           {"stress_diffusion", n.stress_diffusion},
           {"diffusion_shear_gate", n.diffusion_shear_gate},
-          {"integrator", integrator[static_cast<std::size_t>(n.integrator)]},
+          {"integrator", word(n.integrator)},
           {"verlet_restart_interval", n.verlet_restart_interval},
           {"cfl", n.cfl},
           {"near_yield_limiter", n.near_yield_limiter},
@@ -151,7 +147,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"failure", results.failure.empty() ? Json() : Json(results.failure)},
             {"instability", results.instability ? json_of(*results.instability) : Json()},
             {"preset", scene.numerics.preset},
-            {"precision", precision_name(scene.numerics.precision)},
+            {"precision", word(scene.numerics.precision)},
             {"isa", simulation.isa()},
             {"threads", simulation.threads()},
             {"dimension", scene.dimension},

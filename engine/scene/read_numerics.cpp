@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// [numerics]: one row per member of `Numerics`, under its own name.
+#include <type_traits>
+
 #include "engine/scene/read_parts.hpp"
 
 namespace scarp::input {
@@ -19,23 +21,19 @@ void truth(const Value& value, Numerics& numerics) {
   numerics.*Member = value.boolean();
 }
 
-// The words of a choice stand in the order of its enum.
+template <auto Member>
+void choice(const Value& value, Numerics& numerics) {
+  using Choice = std::remove_reference_t<decltype(numerics.*Member)>;
+  numerics.*Member = static_cast<Choice>(value.choice(words<Choice>));
+}
+
 constexpr Row rows[] = {
-    {"smoothing",
-     [](const Value& v, Numerics& n) {
-       n.smoothing = static_cast<SmoothingFunction>(v.choice("yang_liu|cubic_spline|wendland_c2"));
-     }},
+    {"smoothing", choice<&Numerics::smoothing>},
     {"smoothing_ratio", real<&Numerics::smoothing_ratio>},
     {"lattice_normalisation", truth<&Numerics::lattice_normalisation>},
     {"gradient_correction", truth<&Numerics::gradient_correction>},
-    {"stress_rotation",
-     [](const Value& v, Numerics& n) {
-       n.stress_rotation = static_cast<StressRotation>(v.choice("jaumann|hughes_winget"));
-     }},
-    {"plasticity",
-     [](const Value& v, Numerics& n) {
-       n.plasticity = static_cast<Plasticity>(v.choice("return|rate|rate_corrected"));
-     }},
+    {"stress_rotation", choice<&Numerics::stress_rotation>},
+    {"plasticity", choice<&Numerics::plasticity>},
     {"viscosity_alpha", real<&Numerics::viscosity_alpha>},
     {"viscosity_beta", real<&Numerics::viscosity_beta>},
     {"artificial_stress", real<&Numerics::artificial_stress>},
@@ -46,10 +44,7 @@ constexpr Row rows[] = {
      }},
     {"stress_diffusion", real<&Numerics::stress_diffusion>},
     {"diffusion_shear_gate", real<&Numerics::diffusion_shear_gate>},
-    {"integrator",
-     [](const Value& v, Numerics& n) {
-       n.integrator = static_cast<Integrator>(v.choice("verlet|kick_drift_kick"));
-     }},
+    {"integrator", choice<&Numerics::integrator>},
     {"verlet_restart_interval",
      [](const Value& v, Numerics& n) { n.verlet_restart_interval = v.integer(); }},
     {"cfl", real<&Numerics::cfl>},
@@ -57,10 +52,7 @@ constexpr Row rows[] = {
     {"skin", real<&Numerics::skin>},
     {"density_minimum", real<&Numerics::density_minimum>},
     {"density_maximum", real<&Numerics::density_maximum>},
-    {"precision",
-     [](const Value& v, Numerics& n) {
-       n.precision = static_cast<Precision>(v.choice("double|mixed"));
-     }},
+    {"precision", choice<&Numerics::precision>},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -25,8 +26,28 @@ enum class StageEnd { duration, rest };
 enum class InitialStress { zero, geostatic, uniform };
 
 enum class Precision { real64, mixed };
-inline const char* precision_name(Precision p) {
-  return p == Precision::mixed ? "mixed" : "double";
+
+/// Words of a choice in scenes and results, in the order of its enum.
+template <class Choice>
+inline constexpr std::string_view words{};
+template <>
+inline constexpr std::string_view words<SmoothingFunction> = "yang_liu|cubic_spline|wendland_c2";
+template <>
+inline constexpr std::string_view words<StressRotation> = "jaumann|hughes_winget";
+template <>
+inline constexpr std::string_view words<Plasticity> = "return|rate|rate_corrected";
+template <>
+inline constexpr std::string_view words<Integrator> = "verlet|kick_drift_kick";
+template <>
+inline constexpr std::string_view words<Precision> = "double|mixed";
+
+/// The word of one choice.
+template <class Choice>
+requires(!words<Choice>.empty()) constexpr std::string_view word(Choice choice) {
+  std::string_view rest = words<Choice>;
+  for (auto before = static_cast<int>(choice); before > 0; --before)
+    rest.remove_prefix(rest.find('|') + 1);
+  return rest.substr(0, rest.find('|'));
 }
 
 /// One row per line of the presets' table (`engine/scene/SCENE.md`); `preset()` fills them.

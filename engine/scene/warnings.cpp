@@ -84,8 +84,7 @@ bool has_body(const Scene& scene, std::size_t material) {
 
 double constrained_modulus(const Material& material) {
   // Both indices are 0 and 1 in every model: elasticity comes first.
-  const double e = material.parameters[0], nu = material.parameters[1];
-  return e * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  return kernels::elastic_moduli(material.parameters[0], material.parameters[1]).wave_modulus();
 }
 
 /// Settlement under its own weight, gamma H / (2 M) of the height H; M is the constrained modulus.

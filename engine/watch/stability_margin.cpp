@@ -36,8 +36,7 @@ double sound_speed(const Scene& scene) {
   for (const Material& material : scene.materials) {
     const kernels::ElasticModuli moduli =
         kernels::elastic_moduli(material.parameters[0], material.parameters[1]);
-    fastest = std::max(fastest, std::sqrt((moduli.bulk_modulus + 4.0 / 3.0 * moduli.shear_modulus) /
-                                          material.density));
+    fastest = std::max(fastest, std::sqrt(moduli.wave_modulus() / material.density));
   }
   return fastest;
 }

@@ -13,6 +13,9 @@ namespace scarp::kernels {
 struct ElasticModuli {
   double bulk_modulus;   ///< K [Pa]
   double shear_modulus;  ///< G [Pa]
+
+  /// K + 4/3 G, stress over strain of a plane wave [Pa].
+  constexpr double wave_modulus() const { return bulk_modulus + 4.0 / 3.0 * shear_modulus; }
 };
 
 /// Equation: E14; K = E/(3(1-2 nu)), G = E/(2(1+nu)). Pre: 0 <= nu < 0.5.

@@ -18,22 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* word(SmoothingFunction function) {
-  switch (function) {
-    case SmoothingFunction::yang_liu:
-      return "yang_liu";
-    case SmoothingFunction::cubic_spline:
-      return "cubic_spline";
-    case SmoothingFunction::wendland_c2:
-      return "wendland_c2";
-  }
-  return "";
-}
-
-const char* word(Integrator integrator) {
-  return integrator == Integrator::verlet ? "verlet" : "kick_drift_kick";
-}
-
 Json changes_of(const Setting& setting) {
   Json changes = Json::object();
   for (const auto& [axis, choice] : setting.changes) {
@@ -53,7 +37,7 @@ Json json_of(const Point& point) {
           {"integrator", word(point.numerics.integrator)},
           {"cfl", point.numerics.cfl},
           {"stress_diffusion", point.numerics.stress_diffusion},
-          {"precision", precision_name(point.numerics.precision)},
+          {"precision", word(point.numerics.precision)},
           {"status", word(point.status)},
           {"reason", point.reason},
           {"reference", point.reference},
@@ -120,8 +104,8 @@ void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
   for (const Point& point : study.points) {
     const Numerics& n = point.numerics;
     table << point.trial.setting.preset << word(n.smoothing) << n.smoothing_ratio
-          << word(n.integrator) << n.cfl << n.stress_diffusion << precision_name(n.precision)
-          << point.spacing << word(point.status) << (point.reference ? "reference" : "compared")
+          << word(n.integrator) << n.cfl << n.stress_diffusion << word(n.precision) << point.spacing
+          << word(point.status) << (point.reference ? "reference" : "compared")
           << (point.on_front ? 1.0 : 0.0) << point.error << point.wall_s << point.spread
           << static_cast<double>(point.repeats) << point.cpu_s << point.particles << point.steps
           << point.particle_steps << point.memory_bytes;

@@ -110,7 +110,7 @@ std::string numerics_text(const Numerics& numerics) {
                      static_cast<int>(smoothing), ratio, normalisation, correction,
                      static_cast<int>(rotation), static_cast<int>(plasticity), alpha, beta,
                      artificial, exponent, diffusion, gate, static_cast<int>(integrator), restart,
-                     cfl, limiter, skin, lowest, highest, precision_name(precision));
+                     cfl, limiter, skin, lowest, highest, word(precision));
 }
 
 }  // namespace scarp::validation

@@ -11,6 +11,7 @@
 
 #include "engine/cli/progress.hpp"
 #include "engine/output/text_file.hpp"
+#include "validation/paper/rest_watch.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -68,6 +69,7 @@ Observer observer_of(const Slope3d& slope) {
   return {[slope](const Simulation& now, Outcome& outcome) {
             if (now.stage_index() > 0) watch_probes(now, slope, outcome);
           },
+          [slope](const Simulation& now) { return nearly_at_rest(now, slope.top()); },
           [slope](const Simulation& now, Outcome& outcome) {
             if (now.stage_index() == 0) measure_settled(now, slope, outcome);
             if (now.finished()) measure_slide(now, slope, outcome);

@@ -246,7 +246,6 @@ void measure_slide(const Simulation& fallen, const Slope3d& slope, Outcome& outc
   outcome.values["largest displacement, 99.9 % [m]"] = quantile(moved, 0.999);
   outcome.values["mass inside over mass before [-]"] = inside / static_cast<double>(grains.size());
   outcome.values["end of the slide [s]"] = fallen.last_step().stage_time;
-  outcome.values["at rest [-]"] = fallen.stage_reached_rest();
   outcome.values["residual velocity [m/s]"] = fallen.last_step().max_velocity;
   outcome.values["particles [-]"] = static_cast<double>(grains.size());
   if (slope.plane()) return;

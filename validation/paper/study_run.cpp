@@ -54,6 +54,7 @@ void step_to_the_end(CaseRun& run, const StudyRun& study, const Observer& observ
   const auto each_step = [&](const Simulation& now) {
     const std::size_t known = outcome.values.size();
     if (observer.each_step) observer.each_step(now, outcome);
+    if (observer.stage_is_over && observer.stage_is_over(now)) simulation.end_stage();
     if (outcome.values.size() != known) write_outcome(folder, outcome);
     const std::string warning = checkpoints.after_step(now);
     if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);

@@ -19,6 +19,8 @@ struct StudyRun {
 /// What is taken from a run. Values a run has put into its outcome survive an interruption.
 struct Observer {
   std::function<void(const Simulation&, Outcome&)> each_step;  ///< may be empty
+  /// After each step: whether the stage ends here, before its own condition; may be empty.
+  std::function<bool(const Simulation&)> stage_is_over;
   /// At the end of each stage; `Simulation::stage_index` says of which.
   std::function<void(const Simulation&, Outcome&)> stage_end;
 };

@@ -57,11 +57,10 @@ void write_csv(const std::filesystem::path& path, const std::vector<CellOutcome>
     const Cell& cell = one.cell;
     const CellRecord& r = one.record;
     table << cell.group << cell.axis << cell.value << cell.scene.numerics.preset
-          << precision_name(cell.scene.numerics.precision) << word(r.verdict)
-          << cell.scene.numerics.cfl << r.stable_cfl.value_or(none) << r.unstable_cfl.value_or(none)
-          << r.limit << r.energy_gain << r.density_low << r.density_high << r.yield_overshoot
-          << r.lost << r.noise << r.residual_velocity << r.particles << r.steps << r.wall_s
-          << r.reason;
+          << word(cell.scene.numerics.precision) << word(r.verdict) << cell.scene.numerics.cfl
+          << r.stable_cfl.value_or(none) << r.unstable_cfl.value_or(none) << r.limit
+          << r.energy_gain << r.density_low << r.density_high << r.yield_overshoot << r.lost
+          << r.noise << r.residual_velocity << r.particles << r.steps << r.wall_s << r.reason;
     table.end_row();
   }
 }
@@ -191,7 +190,7 @@ std::string write_map(const std::filesystem::path& folder, const Bench& bench, b
               {"axis", one.cell.axis},
               {"value", one.cell.value},
               {"preset", one.cell.scene.numerics.preset},
-              {"precision", precision_name(one.cell.scene.numerics.precision)},
+              {"precision", word(one.cell.scene.numerics.precision)},
               {"cfl", one.cell.scene.numerics.cfl}};
     cell.update(json_of(one.record));
     json["cells"].push_back(std::move(cell));

@@ -10,6 +10,7 @@
 #include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 #include "validation/cases/cuboid_3d/cuboid_measures.hpp"
+#include "validation/paper/rest_watch.hpp"
 #include "validation/paper/study_run.hpp"
 
 namespace scarp::validation {
@@ -51,7 +52,11 @@ std::vector<double> start_of(const Scene& scene, const RunOptions& options) {
 }
 
 Observer observer_of(const CaseRun& run, const StudyRun& study) {
-  return {{}, [&run, study](const Simulation& now, Outcome& outcome) {
+  return {{},
+          [study](const Simulation& now) {
+            return nearly_at_rest(now, cuboid_size(study.scene).base_layer + fill_height);
+          },
+          [&run, study](const Simulation& now, Outcome& outcome) {
             if (now.stage_index() == 0) measure_settled_cuboid(now, outcome);
             if (now.finished()) {
               measure_deposit(now, start_of(study.scene, run.options().run),
@@ -155,7 +160,7 @@ void judge_claims(CaseRun& run, const std::vector<Outcome>& all) {
                         fmt::format("{:.3g} dx off, {:.3g} times the strain", off, share)};
        });
   line("can effectively simulate the complete process of large deformation and slope failure",
-       "everything slower than 10 mm/s within 1.2 s", [](const Outcome& o) {
+       "99.9 % of the soil slower than 10 mm/s within 1.2 s", [](const Outcome& o) {
          const double time = o.at("time to rest [s]");
          return Finding{o.values.count("residual velocity [m/s]") == 0 ? std::optional<bool>()
                                                                        : !std::isnan(time),

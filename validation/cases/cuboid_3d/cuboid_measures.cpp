@@ -131,8 +131,9 @@ void measure_deposit(const Simulation& fallen, const std::vector<double>& start,
   const EnergyBalance energy = fallen.energy();
   values["energy left open over potential drop [-]"] = energy.imbalance / -energy.potential;
   values["plastic work over potential drop [-]"] = energy.plastic / -energy.potential;
-  values["time to rest [s]"] =
-      fallen.stage_reached_rest() ? fallen.last_step().stage_time : std::nan("");
+  const StepReport& last = fallen.last_step();
+  const double limit = fallen.scene().stages.back().duration;
+  values["time to rest [s]"] = last.stage_time < limit ? last.stage_time : std::nan("");
   values["residual velocity [m/s]"] = fallen.last_step().max_velocity;
   values["particles [-]"] = static_cast<double>(fallen.soil_count());
 }

@@ -28,7 +28,8 @@ double after_strength_cut(const Scene& scene, std::size_t soil, const ElementSam
 }  // namespace
 
 void plasticity_forms(CaseRun& run) {
-  constexpr std::array<std::string_view, 3> names{"return", "rate", "rate_corrected"};
+  constexpr std::array forms{Plasticity::return_mapping, Plasticity::rate,
+                             Plasticity::rate_corrected};
   constexpr double B = confining_pressure, strain = 0.05;
   Scene scene = run.scene_at(0.1, run.options().preset);
   CsvFile table(run.folder() / "plasticity.csv",
@@ -36,9 +37,9 @@ void plasticity_forms(CaseRun& run) {
                  "yield_function [Pa]", "volumetric_strain", "expected_volumetric_strain"});
   for (const std::string_view name : {"soil_0", "soil_12", "soil_30"}) {
     const std::size_t soil = material_of(scene, name);
-    for (std::size_t form = 0; form < names.size(); ++form) {
-      scene.numerics.plasticity = static_cast<Plasticity>(form);
-      const std::string who = fmt::format("{}, plasticity = {}: ", name, names[form]);
+    for (const Plasticity form : forms) {
+      scene.numerics.plasticity = form;
+      const std::string who = fmt::format("{}, plasticity = {}: ", name, word(form));
       ElementResult result;
       try {
         result = run_element(scene, {ElementPath::triaxial, soil, B, strain, steps_of(run, 1000)},
@@ -68,7 +69,7 @@ void plasticity_forms(CaseRun& run) {
         const double axial = -sample.strain[1];
         const double elastic = (high - B) / constants.youngs_modulus();
         const double before = -axial * constants.youngs_modulus() / (3.0 * constants.bulk_modulus);
-        table << name << names[form] << axial << -sample.first_invariant / 3.0 << sample.root_j2
+        table << name << word(form) << axial << -sample.first_invariant / 3.0 << sample.root_j2
               << sample.yield_function << sample.volumetric_strain
               << (axial < elastic ? before : expected(axial));
         table.end_row();

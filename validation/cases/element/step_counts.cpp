@@ -20,7 +20,6 @@ namespace scarp::validation {
 namespace {
 
 constexpr double B = confining_pressure;
-constexpr std::array<std::string_view, 2> rotation_names{"jaumann", "hughes_winget"};
 
 /// The stress that is turned: compression with shear in the plane of the spin.
 constexpr std::array<double, 6> turned{-B, -3 * B, -2 * B, 0.5 * B, 0, 0};
@@ -72,9 +71,8 @@ void rotation(CaseRun& run, const Scene& scene) {
     const bool exact = kind == StressRotation::hughes_winget;
     const MaterialPoint point = point_of(scene, kind, "elastic", run.options().run);
     for (const int turns : {1, 10}) {
-      const std::string who =
-          fmt::format("{}, {} turn{} of {} steps: ", rotation_names[static_cast<std::size_t>(kind)],
-                      turns, turns == 1 ? "" : "s", steps);
+      const std::string who = fmt::format("{}, {} turn{} of {} steps: ", word(kind), turns,
+                                          turns == 1 ? "" : "s", steps);
       const PointState state = turned_by(point, turns, turns * steps);
       const double error = difference(state.stress, turned);
       if (exact) {

@@ -2,6 +2,7 @@
 /// Shapes, verdicts and interrupted runs of the paper's 3D cases.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -116,11 +117,12 @@ TEST(RestWatchTest, AsksForSpeedAndTime) {
     scene.stages.back().duration = 1.0;
     scene.stages.back().rest_velocity = rest_velocity;
     Simulation simulation(scene, {1, {}});
-    double first = INFINITY;
+    double first = INFINITY, longest_step = 0.0;
     while (!simulation.finished()) {
       simulation.step();
-      if (nearly_at_rest(simulation, 1.0))
-        first = std::min(first, simulation.last_step().stage_time);
+      const StepReport& step = simulation.last_step();
+      longest_step = std::max(longest_step, step.time_step);
+      if (nearly_at_rest(simulation, 1.0)) first = std::min(first, step.stage_time);
     }
     if (rest_velocity < 1.0) {
       EXPECT_EQ(first, INFINITY);
@@ -128,8 +130,7 @@ TEST(RestWatchTest, AsksForSpeedAndTime) {
     }
     const double wait = 3.0 * std::sqrt(1.0 / 9.81);
     EXPECT_GE(first, wait);
-    EXPECT_LT(first,
-              wait + 51.0 * simulation.last_step().time_step + 0.02);  // 50 steps, larger then
+    EXPECT_LE(first, wait + 50.0 * longest_step);  // it looks at every 50th step
   }
 }
 

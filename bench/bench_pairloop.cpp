@@ -82,9 +82,9 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   State& state = cached_block(options, key);
   const auto particles = static_cast<double>(state.particles.count());
   const auto pairs = static_cast<double>(true_pairs(state));
-  const int flops =
-      pair_flops({options.dimension, sweep.terms, state.kernels.viscosity, options.tension,
-                  state.kernels.correction, state.kernels.diffusion});
+  const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity,
+                                options.tension, state.kernels.correction, state.kernels.diffusion,
+                                sweep.terms != kernels::Terms::force && !state.kernels.correction});
   // Twice as many lanes in single precision, at the same rate.
   const double lanes = state.scene.numerics.precision == Precision::mixed ? 2.0 : 1.0;
   const double peak = lanes * fma_peak(state.kernels.table->isa) * options.threads;

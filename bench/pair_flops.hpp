@@ -15,12 +15,16 @@ inline int pair_flops(const kernels::SweepVariant& variant) {
   const bool force = variant.terms != kernels::Terms::gradient;
   const bool viscosity = force && variant.viscosity;
   const bool diffusion = gradient && variant.diffusion;
-  int flops = 3 * d + 16;                  // offset, 1/r, slope of W, V_j grad W / r
-  if (viscosity || diffusion) flops += 4;  // regularised denominator
-  flops += 4 * d - 1;                      // relative velocity, approach, V_j grad W
-  if (gradient) flops += 3 + 2 * d * d;    // density rate, velocity gradient
+  int flops = 3 * d + 16;     // offset, 1/r, slope of W, V_j grad W / r
+  if (viscosity) flops += 4;  // regularised denominator and densities
+  if (diffusion) flops += 2;  // regularised denominator, or with viscosity its densities
+  flops += 2 * d;             // relative velocity, V_j grad W
+  const bool continuity = gradient && variant.continuity;
+  if (continuity || viscosity) flops += 2 * d - 1;           // approach
+  if (continuity) flops += 3;                                // density rate
+  if (gradient) flops += 2 * d * d;                          // velocity gradient
   if (gradient && variant.correction) flops += d * (d + 1);  // moment
-  if (diffusion) flops += 9 + 2 * components + 2 * d;        // stress diffusion
+  if (diffusion) flops += 7 + 2 * components + 2 * d;        // stress diffusion
   if (force) flops += d + 2 * d * d;                         // momentum
   if (viscosity) flops += 9 + 2 * d;
   if (force && variant.artificial_stress)

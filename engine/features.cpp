@@ -33,7 +33,8 @@ std::vector<UsedFeature> used_features(const State& state) {
            ? "skipped at run time where no particle of a block is in tension"
            : "no tension test, no tension records (64 bytes per particle)"},
       {"gradient correction", n.gradient_correction,
-       "moment of the corrected gradient, " + bytes({Field::moment})},
+       "moment of the corrected gradient, " + bytes({Field::moment}) +
+           "; the density rate follows from it and is not summed"},
       {"stress diffusion", state.kernels.diffusion,
        bytes({Field::diffusivity, Field::diffusion_rate, Field::diffusion_slope})},
       {"lattice normalisation", n.lattice_normalisation, "folded into the particle volumes: free"},

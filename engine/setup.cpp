@@ -47,7 +47,8 @@ ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& tab
                                        force && chosen.viscosity,
                                        force && artificial_stress,
                                        gradient && chosen.correction,
-                                       gradient && chosen.diffusion};
+                                       gradient && chosen.diffusion,
+                                       gradient && !chosen.correction};
     if (n.precision == Precision::mixed) return ChosenSweep{nullptr, table.mixed_sweep_for(wanted)};
     return ChosenSweep{table.sweep_for(wanted), nullptr};
   };
@@ -64,8 +65,7 @@ ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& tab
 std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) {
   std::vector<Field> used{Field::position,     Field::velocity,           Field::density,
                           Field::stress,       Field::reference_position, Field::build_position,
-                          Field::acceleration, Field::density_rate,       Field::velocity_gradient,
-                          Field::approach_rate};
+                          Field::acceleration, Field::velocity_gradient};
   const auto add = [&used](bool wanted, std::initializer_list<Field> fields) {
     if (wanted) used.insert(used.end(), fields);
   };
@@ -74,7 +74,9 @@ std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) 
   add(n.integrator == Integrator::verlet,
       {Field::previous_velocity, Field::previous_density, Field::previous_stress});
   add(plastic, {Field::accumulated_plastic_strain});
+  add(!n.gradient_correction, {Field::density_rate});
   add(n.gradient_correction, {Field::moment});
+  add(chosen.viscosity, {Field::approach_rate});
   add(chosen.diffusion, {Field::diffusivity, Field::diffusion_rate, Field::diffusion_slope});
   add(scene.output.energy, {Field::stress_work});
   add(scene.output.energy && plastic, {Field::plastic_work});

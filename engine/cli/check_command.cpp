@@ -108,7 +108,7 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial,
        fmt::format("{} soil, {} wall", simulation.soil_count(), simulation.wall_count()));
   line("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.spacing,
                               simulation.smoothing_length()));
-  line("neighbours", fmt::format("about {:.0f} per particle", lattice_neighbours(scene)));
+  line("neighbours", fmt::format("{} per particle", lattice_neighbours(scene)));
   line("preset", scene.numerics.preset);
   line("machine", fmt::format("{}, {} threads", simulation.isa(), simulation.threads()));
   line("memory", readable_bytes(static_cast<double>(trial.memory)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Included by one tiny source per instruction set, which defines SCARP_ARCH, SCARP_ISA and
-// SCARP_ISA_NAME. Variants add: 26 sweeps in double and 16 in single precision in the full set, 6
+// SCARP_ISA_NAME. Variants add: 28 sweeps in double and 18 in single precision in the full set, 6
 // of each in the general one (SSE2 and the smoke set).
 
 #include "kernels/constitutive/stress_pass.hpp"
@@ -15,34 +15,36 @@ namespace {
 using Arch = SCARP_ARCH;
 
 template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection,
-          bool UseDiffusion>
+          bool UseDiffusion, bool UseContinuity = Which != Terms::force>
 constexpr CompiledSweep<double> compiled{
-    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion},
-    &pair_sweep<
-        Arch, double,
-        SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion>>};
+    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion, UseContinuity},
+    &pair_sweep<Arch, double,
+                SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection,
+                            UseDiffusion, UseContinuity>>};
 
 constexpr bool on = true, off = false;
 constexpr CompiledSweep<double> sweeps[] = {
 #if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
     compiled<2, Terms::fused, off, off, off, off>,
-    compiled<2, Terms::fused, off, off, on, on>,
+    compiled<2, Terms::fused, off, off, on, on, off>,
     compiled<2, Terms::fused, on, off, off, off>,
-    compiled<2, Terms::fused, on, off, on, off>,
-    compiled<2, Terms::fused, on, off, on, on>,
+    compiled<2, Terms::fused, on, off, on, off, off>,
+    compiled<2, Terms::fused, on, off, on, on, off>,
     compiled<2, Terms::fused, on, on, off, off>,
     compiled<2, Terms::gradient, off, off, off, off>,
-    compiled<2, Terms::gradient, off, off, on, off>,
+    compiled<2, Terms::gradient, off, off, on, off, off>,
+    compiled<2, Terms::gradient, off, off, on, on, off>,
     compiled<2, Terms::force, off, off, off, off>,
     compiled<2, Terms::force, on, off, off, off>,
     compiled<3, Terms::fused, off, off, off, off>,
-    compiled<3, Terms::fused, off, off, on, on>,
+    compiled<3, Terms::fused, off, off, on, on, off>,
     compiled<3, Terms::fused, on, off, off, off>,
-    compiled<3, Terms::fused, on, off, on, off>,
-    compiled<3, Terms::fused, on, off, on, on>,
+    compiled<3, Terms::fused, on, off, on, off, off>,
+    compiled<3, Terms::fused, on, off, on, on, off>,
     compiled<3, Terms::fused, on, on, off, off>,
     compiled<3, Terms::gradient, off, off, off, off>,
-    compiled<3, Terms::gradient, off, off, on, off>,
+    compiled<3, Terms::gradient, off, off, on, off, off>,
+    compiled<3, Terms::gradient, off, off, on, on, off>,
     compiled<3, Terms::force, off, off, off, off>,
     compiled<3, Terms::force, on, off, off, off>,
 #endif
@@ -55,24 +57,26 @@ constexpr CompiledSweep<double> sweeps[] = {
 };
 
 template <int Dim, Terms Which, bool UseViscosity, bool UseArtificialStress, bool UseCorrection,
-          bool UseDiffusion>
+          bool UseDiffusion, bool UseContinuity = Which != Terms::force>
 constexpr CompiledSweep<float> in_float{
-    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion},
-    &pair_sweep<
-        Arch, float,
-        SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion>>};
+    {Dim, Which, UseViscosity, UseArtificialStress, UseCorrection, UseDiffusion, UseContinuity},
+    &pair_sweep<Arch, float,
+                SweepTraits<Dim, Which, UseViscosity, UseArtificialStress, UseCorrection,
+                            UseDiffusion, UseContinuity>>};
 
 constexpr CompiledSweep<float> mixed[] = {
 #if !defined(SCARP_GENERAL_SET) && !defined(SCARP_KERNEL_SET_SMOKE)
     in_float<2, Terms::fused, on, off, off, off>,
     in_float<2, Terms::fused, on, on, off, off>,
     in_float<2, Terms::gradient, off, off, off, off>,
-    in_float<2, Terms::gradient, off, off, on, off>,
+    in_float<2, Terms::gradient, off, off, on, off, off>,
+    in_float<2, Terms::gradient, off, off, on, on, off>,
     in_float<2, Terms::force, on, off, off, off>,
     in_float<3, Terms::fused, on, off, off, off>,
     in_float<3, Terms::fused, on, on, off, off>,
     in_float<3, Terms::gradient, off, off, off, off>,
-    in_float<3, Terms::gradient, off, off, on, off>,
+    in_float<3, Terms::gradient, off, off, on, off, off>,
+    in_float<3, Terms::gradient, off, off, on, on, off>,
     in_float<3, Terms::force, on, off, off, off>,
 #endif
     in_float<2, Terms::fused, on, on, on, on>,

@@ -14,7 +14,8 @@ PairSweep<Real> first_that_covers(std::span<const CompiledSweep<Real>> sweeps,
     const bool covers = have.dimension == wanted.dimension && have.terms == wanted.terms &&
                         have.viscosity >= wanted.viscosity &&
                         have.artificial_stress >= wanted.artificial_stress &&
-                        have.correction >= wanted.correction && have.diffusion >= wanted.diffusion;
+                        have.correction >= wanted.correction &&
+                        have.diffusion >= wanted.diffusion && have.continuity >= wanted.continuity;
     if (covers) return candidate.sweep;
   }
   return nullptr;

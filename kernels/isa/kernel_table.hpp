@@ -20,8 +20,9 @@ struct SweepVariant {
   Terms terms = Terms::fused;
   bool viscosity = true;
   bool artificial_stress = true;
-  bool correction = true;  ///< moment of the gradient correction
-  bool diffusion = true;   ///< stress diffusion
+  bool correction = true;   ///< moment of the gradient correction
+  bool diffusion = true;    ///< stress diffusion
+  bool continuity = false;  ///< density rate by E19; corrected gradients give it themselves (K1)
   friend bool operator==(const SweepVariant&, const SweepVariant&) = default;
 };
 

@@ -17,11 +17,13 @@ struct ParticleLanes {
 /// for a whole block of entries.
 template <class B, int Dim>
 struct PairGeometry {
-  B offset[Dim];          ///< (x_i - x_j)/h
-  B gradient;             ///< times `offset` it is V_j grad_i W [1/m]
-  B density;              ///< rho_j
-  B distance_squared;     ///< (r/h)^2
-  B inverse_regularised;  ///< 1/(((r/h)^2 + 0.01)(rho_i + rho_j)), the denominators of Eq. 26
+  B offset[Dim];       ///< (x_i - x_j)/h
+  B gradient;          ///< times `offset` it is V_j grad_i W [1/m]
+  B density;           ///< rho_j
+  B distance_squared;  ///< (r/h)^2
+  /// 1/(((r/h)^2 + 0.01)(rho_i + rho_j)), the denominators of Eq. 26; without viscosity
+  /// 1/((r/h)^2 + 0.01).
+  B inverse_regularised;
 };
 
 /// What the second stage adds to it.

@@ -15,10 +15,11 @@ namespace scarp::kernels {
 
 /// What a sweep is compiled for; what is off costs neither instructions nor memory.
 template <int Dimension, Terms Which, bool UseViscosity, bool UseArtificialStress,
-          bool UseCorrection, bool UseDiffusion>
+          bool UseCorrection, bool UseDiffusion, bool UseContinuity>
 struct SweepTraits {
   static constexpr int dimension = Dimension;
   static constexpr bool gradient = Which != Terms::force;
+  static constexpr bool continuity = gradient && UseContinuity;
   static constexpr bool force = Which != Terms::gradient;
   static constexpr bool viscosity = force && UseViscosity;
   static constexpr bool artificial_stress = force && UseArtificialStress;
@@ -77,8 +78,8 @@ class ClusterSweep {
   }
 
   SCARP_INLINE void store() {
+    if constexpr (Traits::continuity) put(view_.density_rate, continuity_.density_rate);
     if constexpr (Traits::gradient) {
-      put(view_.density_rate, continuity_.density_rate);
       for (int a = 0; a < dim; ++a) {
         for (int b = 0; b < dim; ++b) {
           put(view_.velocity_gradient[3 * a + b], -gradient_.minus_gradient[a * dim + b]);
@@ -149,8 +150,10 @@ class ClusterSweep {
                     smoothing_slope(squared * inverse_distance, view_.constants.smoothing) *
                     inverse_distance;
     pair.density = select_(p + record_density, r + record_density);
-    if constexpr (Traits::viscosity || Traits::diffusion) {
+    if constexpr (Traits::viscosity) {
       pair.inverse_regularised = inverse((squared + B(Real(0.01))) * (i_.density + pair.density));
+    } else if constexpr (Traits::diffusion) {
+      pair.inverse_regularised = inverse(squared + B(Real(0.01)));
     }
     return pair;
   }
@@ -197,14 +200,14 @@ class ClusterSweep {
         stress[c] = select_(p + record_stress + c, r + record_stress + c);
       });
     }
-    if constexpr (Traits::gradient) {
-      continuity_.add(pair, m);
-      gradient_.add(m);
-    }
+    if constexpr (Traits::continuity) continuity_.add(pair, m);
+    if constexpr (Traits::gradient) gradient_.add(m);
     if constexpr (Traits::correction) moment_.add(pair, m);
     if constexpr (Traits::diffusion && !Wall) {
-      diffusion_.add(pair, i_, select_(p + record_diffusivity, r + record_diffusivity), stress,
-                     view_.constants.gravity);
+      B regularised = pair.inverse_regularised;
+      if constexpr (Traits::viscosity) regularised *= i_.density + pair.density;
+      diffusion_.add(pair, i_, select_(p + record_diffusivity, r + record_diffusivity), regularised,
+                     stress, view_.constants.gravity);
     }
     if constexpr (Tension) add_tension(pair, m, low, high, tension_factor, stress);
     if constexpr (Traits::force) momentum_.add(stress, m.volume_gradient);
@@ -277,7 +280,7 @@ class ClusterSweep {
   std::int64_t first_;
   HalfSelect<Real, Arch> select_;
   ParticleLanes<B> i_;
-  If<Traits::gradient, Continuity<B>> continuity_;
+  If<Traits::continuity, Continuity<B>> continuity_;
   If<Traits::gradient, VelocityGradient<B, dim>> gradient_;
   If<Traits::correction, GradientMoment<B, dim>> moment_;
   If<Traits::diffusion, StressDiffusion<B, dim>> diffusion_;

@@ -21,10 +21,10 @@ struct StressDiffusion {
   }
   template <class Real>
   SCARP_INLINE void add(const PairGeometry<B, Dim>& pair, const ParticleLanes<B>& i,
-                        const B& diffusivity_j, const B (&stress_j)[6], const Real (&gravity)[3]) {
-    const B regularised = pair.inverse_regularised * (i.density + pair.density);
-    const B weight =
-        (i.diffusivity + diffusivity_j) * pair.gradient * pair.distance_squared * regularised;
+                        const B& diffusivity_j, const B& inverse_regularised,
+                        const B (&stress_j)[6], const Real (&gravity)[3]) {
+    const B weight = (i.diffusivity + diffusivity_j) * pair.gradient * pair.distance_squared *
+                     inverse_regularised;
     weight_sum = weight_sum + weight;
     unrolled<components>([&](auto c) SCARP_LAMBDA {
       weighted_stress[c] = xsimd::fma(weight, stress_j[c], weighted_stress[c]);

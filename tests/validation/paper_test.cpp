@@ -114,7 +114,7 @@ Scene block() {
 TEST(RestWatchTest, AsksForSpeedAndTime) {
   for (const double rest_velocity : {10.0, 1e-9}) {  // all of the soil is slower, or none
     Scene scene = block();
-    scene.stages.back().duration = 1.0;
+    scene.stages.back().duration = 2.0;
     scene.stages.back().rest_velocity = rest_velocity;
     Simulation simulation(scene, {1, {}});
     double first = INFINITY, longest_step = 0.0;

@@ -14,9 +14,10 @@
 #include "engine/output/text_file.hpp"
 
 namespace scarp::validation {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 Json json_of(const Measure& measure) {
   Json json{{"name", measure.name}, {"value", measure.value}, {"unit", measure.unit}};
@@ -80,6 +81,26 @@ double observed_order(const std::vector<ErrorAtSpacing>& errors) {
   return count < 2.0 ? std::nan("") : (count * xy - x * y) / (count * xx - x * x);
 }
 
+void to_json(Json& json, const RunCost& run) {
+  json = {{"name", run.name},
+          {"steps", run.steps},
+          {"particle_steps", run.particle_steps},
+          {"simulated_s", run.simulated_s},
+          {"wall_s", run.wall_s},
+          {"cpu_s", run.cpu_s},
+          {"memory_bytes", run.memory_bytes}};
+}
+
+void from_json(const Json& json, RunCost& run) {
+  json.at("name").get_to(run.name);
+  json.at("steps").get_to(run.steps);
+  json.at("particle_steps").get_to(run.particle_steps);
+  json.at("simulated_s").get_to(run.simulated_s);
+  json.at("wall_s").get_to(run.wall_s);
+  json.at("cpu_s").get_to(run.cpu_s);
+  json.at("memory_bytes").get_to(run.memory_bytes);
+}
+
 bool passed(const CaseResult& result) {
   const auto judged = [](const Measure& measure) { return measure.pass.has_value(); };
   return result.failure.empty() &&
@@ -105,13 +126,7 @@ void write_case_results(const std::filesystem::path& path, const Simulation* sim
     particle_steps += run.particle_steps;
     stepping += run.wall_s;
     steps += run.steps;
-    json["runs"].push_back({{"name", run.name},
-                            {"steps", run.steps},
-                            {"particle_steps", run.particle_steps},
-                            {"simulated_s", run.simulated_s},
-                            {"wall_s", run.wall_s},
-                            {"cpu_s", run.cpu_s},
-                            {"memory_bytes", run.memory_bytes}});
+    json["runs"].push_back(run);
   }
   json["convergence"] = Json::array();
   for (const ConvergenceSeries& series : result.convergence) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ struct RunCost {
   double cpu_s = 0.0;         ///< of all threads
   double memory_bytes = 0.0;  ///< of the simulation at the end
 };
+
+/// As it stands in results.json and outcome.json.
+void to_json(nlohmann::ordered_json& json, const RunCost& run);
+void from_json(const nlohmann::ordered_json& json, RunCost& run);
 
 struct ErrorAtSpacing {
   double spacing = 0.0;  ///< [m]

@@ -12,6 +12,7 @@
 #include <ctime>
 #include <system_error>
 
+#include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/scene_reader.hpp"
@@ -135,7 +136,11 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
       if (writer != nullptr) writer->after_step(simulation);
       if (each_step) each_step(simulation);
       progress.update(simulation);
+      if (cli::stop_requested()) throw Stopped();
     } while (!simulation.stage_ended());
+  } catch (const Stopped&) {
+    book();
+    throw;
   } catch (const SimulationInstability& instability) {
     book();
     if (writer != nullptr) writer->finish(simulation, now_s() - start, instability);

@@ -35,6 +35,9 @@ struct CaseOptions {
   bool stop_when_supersonic = false;
 };
 
+/// SIGINT or SIGTERM: a step after it the run ends, with a checkpoint where its case writes them.
+struct Stopped {};
+
 /// Particle spacing of each form [m].
 struct Spacings {
   double short_form, main, full;

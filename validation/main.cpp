@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/units.hpp"
@@ -22,7 +23,7 @@ namespace scarp::validation {
 
 namespace {
 
-enum ExitCode { ok = 0, failed = 1, usage = 2 };
+enum ExitCode { ok = 0, failed = 1, usage = 2, interrupted = 130 };
 
 struct Arguments {
   std::vector<std::string> cases;
@@ -103,6 +104,7 @@ int run_command(Arguments& arguments) {
     options.spacing =
         parse_quantity(bare ? arguments.spacing + " m" : arguments.spacing, kernels::Unit::length);
   }
+  cli::catch_interrupts();
   SetForecast forecast(options.quiet);
   forecast_runs(rows, options, forecast);
   if (arguments.forecast_only) return ok;
@@ -256,6 +258,9 @@ int run_program(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return scarp::validation::run_program(argc, argv);
+  } catch (const scarp::validation::Stopped&) {
+    fmt::print(stderr, "scarp-validate: stopped; the same command with --resume goes on\n");
+    return scarp::validation::interrupted;
   } catch (const scarp::UnitError& error) {
     fmt::print(stderr, "scarp-validate: --spacing or --budget: {}\n", error.what());
     return scarp::validation::usage;

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 
+#include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
+#include "engine/output/checkpoint_writer.hpp"
 #include "validation/paper/claims.hpp"
 #include "validation/paper/plane_zone.hpp"
 #include "validation/paper/rest_watch.hpp"
@@ -132,6 +136,39 @@ TEST(RestWatchTest, AsksForSpeedAndTime) {
     EXPECT_GE(first, wait);
     EXPECT_LE(first, wait + 50.0 * longest_step);  // it looks at every 50th step
   }
+}
+
+TEST(StudyRunDeathTest, AnInterruptLeavesACheckpointAndTheCosts) {
+  // In a process of its own: the request to stop stays.
+  const auto interrupted = [] {
+    CaseOptions options;
+    options.quiet = true;
+    options.out = std::filesystem::path(testing::TempDir()) / "study_interrupt_test";
+    std::filesystem::remove_all(options.out);
+    CaseRun run("case", options);
+    cli::catch_interrupts();
+    std::uint64_t last_step = 0;
+    const Observer observer{[&](const Simulation& now, Outcome&) {
+                              last_step = now.last_step().step;
+                              if (last_step == 20) std::raise(SIGTERM);
+                            },
+                            {},
+                            [](const Simulation&, Outcome&) {}};
+    bool stopped = false;
+    try {
+      outcome_of(run, {"block", "block", block()}, observer);
+    } catch (const Stopped&) {
+      stopped = true;
+    }
+    const auto folder = run.folder() / "block";
+    const auto left = read_outcome(folder);
+    const auto checkpoints = checkpoints_in(folder);
+    const bool good = stopped && last_step == 20 && !left->complete && left->costs.size() == 1 &&
+                      left->costs[0].steps == 20 && !checkpoints.empty() &&
+                      checkpoints[0].filename() == "step_000000000020.h5";
+    std::exit(good ? 0 : 1);
+  };
+  EXPECT_EXIT(interrupted(), testing::ExitedWithCode(0), "");
 }
 
 struct Killed {};

@@ -7,6 +7,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "validation/acceptance.hpp"
 
 namespace scarp::validation {
 
@@ -16,6 +19,7 @@ struct Outcome {
   std::string key;                       ///< of everything that decides it; see `outcome_key`
   bool complete = false;                 ///< the run has reached its end
   std::map<std::string, double> values;  ///< by name with unit, SI
+  std::vector<RunCost> costs;  ///< of its stages, and of their parts before an interruption
 
   /// NaN if it was not measured.
   double at(const std::string& value) const {

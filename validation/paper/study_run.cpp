@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/checkpoint/scene_text.hpp"
+#include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
 #include "engine/output/checkpoint_writer.hpp"
@@ -55,6 +56,7 @@ void step_to_the_end(CaseRun& run, const StudyRun& study, const Observer& observ
     const std::size_t known = outcome.values.size();
     if (observer.each_step) observer.each_step(now, outcome);
     if (observer.stage_is_over && observer.stage_is_over(now)) simulation.end_stage();
+    if (cli::stop_requested()) checkpoints.write(now);
     if (outcome.values.size() != known) write_outcome(folder, outcome);
     const std::string warning = checkpoints.after_step(now);
     if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
@@ -64,8 +66,15 @@ void step_to_the_end(CaseRun& run, const StudyRun& study, const Observer& observ
   do {
     if (!ended) {
       const auto& stages = simulation.scene().stages;
-      run.run_stage(fmt::format("{}: {}", study.name, stages[next].name), simulation, &begun.writer,
-                    each_step);
+      try {
+        run.run_stage(fmt::format("{}: {}", study.name, stages[next].name), simulation,
+                      &begun.writer, each_step);
+      } catch (const Stopped&) {
+        outcome.costs.push_back(run.result().runs.back());
+        write_outcome(folder, outcome);
+        throw;
+      }
+      outcome.costs.push_back(run.result().runs.back());
     }
     observer.stage_end(simulation, outcome);
     write_outcome(folder, outcome);
@@ -93,10 +102,13 @@ bool is_finished(const CaseRun& run, const StudyRun& study) {
 Outcome outcome_of(CaseRun& run, const StudyRun& study, const Observer& observer) {
   const fs::path folder = run.folder() / study.folder;
   const FolderLock lock(folder);
-  Outcome outcome{study.name, study.folder, outcome_key(study.scene), false, {}};
+  Outcome outcome{study.name, study.folder, outcome_key(study.scene), false, {}, {}};
   const std::optional<Outcome> left = run.options().resume ? read_outcome(folder) : std::nullopt;
   const bool same = left && left->key == outcome.key;
-  if (same) outcome = *left;
+  if (same) {
+    outcome = *left;
+    for (const RunCost& cost : outcome.costs) run.add(cost);
+  }
   if (outcome.complete) {
     if (!run.options().quiet)
       fmt::print(stderr, "{}: {}, kept\n", run.result().case_name, study.name);

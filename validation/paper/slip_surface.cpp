@@ -16,18 +16,16 @@ double ground(const Slope3d& slope, double x, double y) {
   return slope.surface(slope.distance(x, y));
 }
 
-/// Vertical depth of the slide below the face at a place in plan [m]; 0 where nothing slides.
+/// Mean vertical thickness of the slide over three by three columns of particles around a place in
+/// plan [m]: one column alone would tell it to a whole spacing.
 double slide_depth(const std::vector<Grain>& grains, const Slope3d& slope, double spacing, double x,
                    double y) {
-  const double surface = ground(slope, x, y);
-  double lowest = surface;
+  double number = 0.0;
   for (const Grain& grain : grains) {
-    if (slides(grain, slope) && std::fabs(grain.start[0] - x) < 0.75 * spacing &&
-        std::fabs(grain.start[1] - y) < 0.75 * spacing) {
-      lowest = std::min(lowest, grain.start[2] - 0.5 * spacing);
-    }
+    number += slides(grain, slope) && std::fabs(grain.start[0] - x) < 1.5 * spacing &&
+              std::fabs(grain.start[1] - y) < 1.5 * spacing;
   }
-  return surface - lowest;
+  return number * spacing / 9.0;
 }
 
 /// x at which the middle of the face of a case 1 slope passes y.
@@ -50,9 +48,9 @@ void measure_slip_surface(const std::vector<Grain>& grains, const Slope3d& slope
   if (!slope.corner()) {
     const double width = slope.size().half_width;
     const auto at = [&](double y) { return depth(middle_of_face(slope, y), y); };
-    put("at M", at(0.5 * spacing));
+    put("at M", at(1.5 * spacing));
     put("between", at(0.5 * width));
-    put("at side", at(width - spacing));
+    put("at side", at(width - 1.5 * spacing));
     return;
   }
   const double c = slope.size().crest + 0.5 * slope.face_run();
@@ -62,7 +60,7 @@ void measure_slip_surface(const std::vector<Grain>& grains, const Slope3d& slope
       0.5 * (ground(slope, c + t, c - t) + ground(slope, c - t, c + t)) - ground(slope, c, c);
   put("at P", at_p);
   put("beside P", beside);
-  put("at Q", depth(c, slope.lateral_section() + 0.5 * spacing));
+  put("at Q", depth(c, slope.lateral_section()));
   outcome.values["ground beside P above that at P [m]"] = rise;
   outcome.values["slip surface beside P above that at P [m]"] = rise - beside + at_p;
 }

@@ -140,7 +140,8 @@ Finding convex_quadrilateral(const ReadingOutcomes& all) {
 Finding slide_from_beside(const ReadingOutcomes& all) {
   const double share =
       all.of(Shape::concave_corner).at("section P: share of the slide from beside [-]");
-  return {if_measured({share}, share > 0.5), fmt::format("{:.3g} %", 100.0 * share)};
+  return {if_measured({share}, share > 0.5),
+          std::isnan(share) ? "no slide ends there" : fmt::format("{:.3g} %", 100.0 * share)};
 }
 
 }  // namespace scarp::validation

@@ -31,8 +31,8 @@ Finding any_dish(const ReadingOutcomes& all) {
 
 Finding clearer_dish(const ReadingOutcomes& all) {
   Three t = three(all, "slide depth at M [m]");
-  const Three between = three(all, "slide depth between [m]");
-  for (std::size_t k = 0; k < 3; ++k) t[k] -= between[k];
+  const Three side = three(all, "slide depth at side [m]");
+  for (std::size_t k = 0; k < 3; ++k) t[k] -= side[k];
   return finding(t, rising(t), text(t, "m"));
 }
 
@@ -138,11 +138,11 @@ constexpr const char* front =
 
 constexpr std::array rows = std::to_array<ReadingClaim>({
     {case_1, "the whole slip surface eventually evolves to a dish shape",
-     "depth of the slide below the middle of the face: falls from section M over half way to the "
+     "thickness of the slide at the middle of the face: falls from section M over half way to the "
      "rough side",
      any_dish},
     {case_1, "the dish shape becomes successively clearer: concave, common, convex",
-     "depth at section M less that half way to the side: rises in this order", clearer_dish},
+     "thickness at section M less that at the side: rises in this order", clearer_dish},
     {case_1, "the convex slope, which is not restrained by the boundaries",
      "share of the slide within two spacings of the rough side: least of the three",
      convex_not_restrained},

@@ -45,7 +45,7 @@ def _shape(page, frame, figures):
 
 
 def _profiles(page, runs, figures):
-    figure, axes = plt.subplots(1, 2, figsize=(10.0, 3.4))
+    figure, axes = plt.subplots(1, 3, figsize=(12.0, 3.6), width_ratios=(1.0, 1.0, 0.5))
     panels = ((axes[0], (("x_212_mm", "x = 212 mm", "-"),), "y [m]", "(c)"),
               (axes[1], (("middle_plane", "middle plane", "-"), ("y_100_mm", "y = 100 mm", "--")), "x [m]", "(d)"))
     for ax, files, label, title in panels:
@@ -59,12 +59,13 @@ def _profiles(page, runs, figures):
         ax.set_ylabel("elevation [m]")
         ax.set_title(title)
         ax.grid(alpha=0.25, linewidth=0.5)
-        ax.legend(fontsize=7, loc="lower left")
+    axes[2].axis("off")
+    axes[2].legend(*axes[1].get_legend_handles_labels(), fontsize=7, loc="center left")
     for factor, words, style in ((1.2, "Lube 2005", ":"), (1.8, "Lajeunesse 2005", "-.")):
         axes[1].axvline(GATE + factor * FILL, color="#999999", linestyle=style, linewidth=0.9)
         axes[1].text(GATE + factor * FILL, 0.13 if factor < 1.5 else 0.11, f" {words}", fontsize=7, color="#555555")
-    page.figure(figure, "Beside Fig. 2 (c) and (d): profiles at x = 212 mm from the back wall, in the middle plane and at "
-                "y = 100 mm; grey: fronts of planar columns in experiments, which cannot spread to the sides.",
+    page.figure(figure, "Beside Fig. 2 (c) and (d): profiles at x = 212 mm from the back wall (same colours), in the middle "
+                "plane and at y = 100 mm; faces lie at whole spacings, so the levels differ with the spacing; grey: fronts of planar columns in experiments, which cannot spread to the sides.",
                 figures / "fig_2cd.png")
 
 

@@ -13,7 +13,7 @@ namespace {
 /// hold four to seven times the soil of case 1.
 const ReadingPlan plan{{SlopeShape::concave_corner, SlopeShape::convex_corner, SlopeShape::plane_35,
                         SlopeShape::plane_45},
-                       4.0 / 3.0};
+                       2.0};
 
 }  // namespace
 

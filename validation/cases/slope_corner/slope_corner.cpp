@@ -10,7 +10,7 @@ namespace scarp::validation {
 namespace {
 
 /// The second spacing is the coarser one, and all but the first readings are run at it: corners
-/// hold four to seven times the soil of case 1.
+/// hold two to four times the soil of case 1.
 const ReadingPlan plan{{SlopeShape::concave_corner, SlopeShape::convex_corner, SlopeShape::plane_35,
                         SlopeShape::plane_45},
                        2.0};

@@ -95,7 +95,8 @@ def views(page, rows, file, caption):
             ax.collections[-1].set_sizes(ax.collections[-1].get_sizes() * ZOOM**2)
             last.setdefault(field, (frame, ax.collections[-1]))
     for field, (frame, mappable) in sorted(last.items()):
-        figure.colorbar(mappable, ax=figure.axes[:wide * len(rows)], location="bottom", shrink=0.4, aspect=40, pad=0.02,
+        figure.colorbar(mappable, ax=figure.axes[:wide * len(rows)], location="bottom", shrink=0.4, aspect=40,
+                        pad=0.02 if len(rows) > 1 else 0.1,  # one row is low: the axes' labels need more of it
                         label=scarp.label_of(field, "m" if field in "xyz" else frame["units"].get(field, "")))
     page.figure(figure, caption, file)
 

@@ -81,8 +81,8 @@ def report(folder):
     results = scarp.read_results(folder)
     figures = folder / "figures"
     page = scarp.Page(results.get("title") or results.get("case") or folder.name,
-                      f"scarp validation, case {results.get('case', folder.name)}, {results.get('form', '')} form, "
-                      f"preset {results.get('preset', '?')}")
+                      f"scarp validation, case {results.get('case', folder.name)}, {results.get('form', '')} form"
+                      + (f", preset {results['preset']}" if "preset" in results else ""))  # of several: no one preset
     page.text(scarp.badge(scarp.verdict_of(results)))
     scarp.verdict_section(page, results)
     if results.get("claims"):

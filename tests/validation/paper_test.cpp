@@ -12,8 +12,8 @@
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_writer.hpp"
 #include "validation/paper/claims.hpp"
+#include "validation/paper/nearly_at_rest.hpp"
 #include "validation/paper/plane_zone.hpp"
-#include "validation/paper/rest_watch.hpp"
 #include "validation/paper/slopes.hpp"
 #include "validation/paper/study_run.hpp"
 
@@ -115,7 +115,7 @@ Scene block() {
   return scene;
 }
 
-TEST(RestWatchTest, AsksForSpeedAndTime) {
+TEST(NearlyAtRestTest, AsksForSpeedAndTime) {
   for (const double rest_velocity : {10.0, 1e-9}) {  // all of the soil is slower, or none
     Scene scene = block();
     scene.stages.back().duration = 2.0;

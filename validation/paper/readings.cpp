@@ -11,7 +11,7 @@
 
 #include "engine/cli/progress.hpp"
 #include "engine/output/text_file.hpp"
-#include "validation/paper/rest_watch.hpp"
+#include "validation/paper/nearly_at_rest.hpp"
 
 namespace scarp::validation {
 namespace {

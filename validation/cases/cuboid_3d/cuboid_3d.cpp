@@ -10,7 +10,7 @@
 #include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 #include "validation/cases/cuboid_3d/cuboid_measures.hpp"
-#include "validation/paper/rest_watch.hpp"
+#include "validation/paper/nearly_at_rest.hpp"
 #include "validation/paper/study_run.hpp"
 
 namespace scarp::validation {

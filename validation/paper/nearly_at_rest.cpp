@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Rest of nearly all of the soil.
 
-#include "validation/paper/rest_watch.hpp"
+#include "validation/paper/nearly_at_rest.hpp"
 
 #include <cmath>
 #include <vector>

@@ -254,7 +254,7 @@ constexpr std::array rows = std::to_array<ReadingClaim>({
     {conclusions, "and at the side slope of the concave subbase",
      "concave: Q1 and Q2 above P1 and P2", concave_side_unstable},
     {case_2, "the normal stress on the P plane from each side has a different direction",
-     "settled: greater horizontal pressure beside P turned from the diagonal by over 5 degrees",
+     "settled: angle between the greater horizontal pressures on both sides of P: over 10 degrees",
      sides_differ_in_direction},
     {case_2, "concave: the normal stresses help section P to remain steady; convex: the opposite",
      "settled: mean normal stress on section P against the 2D case of P", stresses_hold_concave},

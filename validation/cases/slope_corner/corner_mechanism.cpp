@@ -76,8 +76,13 @@ Finding sides_differ_in_direction(const ReadingOutcomes& all) {
     return all.of(shape).at("beside P: turn of the greater pressure, settled [deg]");
   };
   const double concave = turn(Shape::concave_corner), convex = turn(Shape::convex_corner);
-  return {if_measured({concave, convex}, std::fabs(concave) > 5.0 && std::fabs(convex) > 5.0),
-          fmt::format("concave {:.3g}, convex {:.3g} deg", concave, convex)};
+  // The other side has the opposite turn; along the diagonal and across it both are one direction.
+  const auto between = [](double angle) {
+    return std::min(2.0 * std::fabs(angle), 180.0 - 2.0 * std::fabs(angle));
+  };
+  const double concave_between = between(concave), convex_between = between(convex);
+  return {if_measured({concave, convex}, concave_between > 10.0 && convex_between > 10.0),
+          fmt::format("concave {:.3g}, convex {:.3g} deg", concave_between, convex_between)};
 }
 
 Finding q_fails_first(const ReadingOutcomes& all) {

@@ -11,17 +11,13 @@
 #include "engine/integrate/lattice_sums.hpp"
 #include "engine/parallel.hpp"
 #include "engine/particles/generate.hpp"
+#include "engine/scene/smoothing_of.hpp"
 #include "engine/state.hpp"
 #include "kernels/constitutive/list.hpp"
-#include "kernels/pair/tension_factor_fit.hpp"
 #include "kernels/smoothing/list.hpp"
 
 namespace scarp {
 namespace {
-
-const kernels::SmoothingForm& smoothing_form(const Numerics& numerics) {
-  return kernels::smoothing_functions[static_cast<std::size_t>(numerics.smoothing)];
-}
 
 bool is_plastic(const Material& material) { return material.model != kernels::LinearElastic::name; }
 bool any_plastic(const Scene& scene) {
@@ -137,7 +133,7 @@ void fill_particles(State& state, const SoilPoints& soil) {
 
 void set_pair_constants(State& state) {
   const Numerics& n = state.scene.numerics;
-  const kernels::SmoothingForm& form = smoothing_form(n);
+  const kernels::SmoothingForm& form = smoothing_of(n);
   kernels::PairConstants<double>& c = state.pair_constants;
   for (int k = 0; k < 3; ++k) {
     c.smoothing.derivative[k] = form.derivative(k);
@@ -149,13 +145,7 @@ void set_pair_constants(State& state) {
   c.viscosity_beta = n.viscosity_beta;
   for (std::size_t a = 0; a < 3; ++a)
     c.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
-  if (state.kernels.artificial_stress) {
-    const double q = 1.0 / n.smoothing_ratio;
-    const double automatic = form.shape(0.0) / form.shape(q);
-    kernels::fit_tension_factor(
-        form, q, n.artificial_stress_exponent > 0.0 ? n.artificial_stress_exponent : automatic,
-        c.tension_factor);
-  }
+  if (state.kernels.artificial_stress) c.tension_factor = tension_factor_of(n).factor;
 }
 
 }  // namespace
@@ -243,13 +233,13 @@ State make_state(Scene scene, const RunOptions& options) {
   const int dimension = state.scene.dimension;
   state.kernels = choose_kernels(state.scene, choose_table(options));
   state.smoothing_length = n.smoothing_ratio * state.scene.spacing;
-  const LatticeSums sums = lattice_sums(smoothing_form(n), n.smoothing_ratio, dimension);
+  const LatticeSums sums = lattice_sums(smoothing_of(n), n.smoothing_ratio, dimension);
   state.lattice_moment = sums.moment;
   state.acoustic_cfl_limit = acoustic_cfl_limit(n, sums);
   state.dissipation = dissipation_rates(n, sums, state.kernels.diffusion);
   state.particle_volume = std::pow(state.scene.spacing, dimension);
   state.scaling.inverse_smoothing_length = 1.0 / state.smoothing_length;
-  state.scaling.gradient_factor = smoothing_form(n).normalisation(dimension) /
+  state.scaling.gradient_factor = smoothing_of(n).normalisation(dimension) /
                                   std::pow(state.smoothing_length, dimension + 1) /
                                   (n.lattice_normalisation ? state.lattice_moment : 1.0);
   set_material_constants(state);

@@ -13,21 +13,22 @@ enum class Terms { fused, gradient, force };
 /// Order of the components of a symmetric tensor everywhere; 2D uses the first four.
 enum Component { xx, yy, zz, xy, yz, zx };
 
-/// What a pair needs of particle j, packed so that one pair touches one or two cache lines.
+/// What a pair needs of particle j, packed so that one pair touches one or two cache lines, four
+/// values that are used together side by side (RecordQuad).
 /// Positions are in units of h; `volume` is V_j alpha_D / (h^(d+1) M), so that factor times dW/dq /
 /// q times a position difference is V_j grad W; `diffusivity` is D_j / h.
 enum RecordSlot {
   record_x,
   record_y,
   record_z,
+  record_volume,
   record_velocity_x,
   record_velocity_y,
   record_velocity_z,
-  record_volume,
   record_density,
-  record_sound_speed,
   record_stress,  ///< six components
-  record_diffusivity = record_stress + 6,
+  record_sound_speed = record_stress + 6,
+  record_diffusivity,
   record_size
 };
 static_assert(record_size == 16);
@@ -87,7 +88,13 @@ struct SmoothingView {
   Real value_inner;       ///< of a^3
 };
 
-inline constexpr int tension_degree = 10;
+/// F^n of the artificial stress in the truncated powers of the smoothing function: b^2 times the
+/// polynomial `outer` in b plus a^3 times the polynomial `inner` in a.
+template <class Real>
+struct TensionFactorView {
+  Real outer[8];
+  Real inner[5];
+};
 
 /// Run-time constants of a pair sweep.
 template <class Real>
@@ -96,8 +103,7 @@ struct PairConstants {
   Real viscosity_alpha;
   Real viscosity_beta;
   Real gravity[3];  ///< times h [m2/s2], for the lithostatic part of diffusion
-  Real tension_factor[2]
-                     [tension_degree + 1];  ///< F^n on 0 <= q < 1 and 1 <= q < 2, in t = 2q-1, 2q-3
+  TensionFactorView<Real> tension_factor;
 };
 
 /// Input and output of a pair sweep. Outputs are SoA by particle, SI; a null pointer leaves one

@@ -35,36 +35,90 @@ inline constexpr int lanes = static_cast<int>(Batch<Real, Arch>::size);
 template <class Real, class Arch>
 inline constexpr int cluster_size = lanes<Real, Arch> / 2;
 
-/// Puts one value in the lower and another in the upper half of the lanes.
+template <int Index>
+inline constexpr std::integral_constant<int, Index> constant{};
+
+/// Four consecutive values of two records, taken one at a time: that of the first record in the
+/// lower, that of the second in the upper half of the lanes. Vectors of 512 and 256 bits load all
+/// four and permute, for loads are scarcer than permutations.
 template <class Real, class Arch>
-struct HalfSelect {
-  typename Batch<Real, Arch>::batch_bool_type upper;
+class RecordQuad {
+ public:
+  SCARP_INLINE RecordQuad(const Real* low, const Real* high) : low_(low), high_(high) {}
+  template <int K>
+  SCARP_INLINE Batch<Real, Arch> operator()(std::integral_constant<int, K>) const {
+    return [this]<int... Lane>(std::integer_sequence<int, Lane...>) SCARP_LAMBDA {
+      return Batch<Real, Arch>({(Lane < cluster_size<Real, Arch> ? low_ : high_)[K]...});
+    }
+    (std::make_integer_sequence<int, lanes<Real, Arch>>{});
+  }
 
-  SCARP_INLINE HalfSelect() {
-    alignas(64) Real index[lanes<Real, Arch>];
-    for (int l = 0; l < lanes<Real, Arch>; ++l) index[l] = static_cast<Real>(l);
-    upper = Batch<Real, Arch>::load_aligned(index) >= Batch<Real, Arch>(cluster_size<Real, Arch>);
-  }
-  SCARP_INLINE Batch<Real, Arch> operator()(const Real* low, const Real* high) const {
-    return xsimd::select(upper, Batch<Real, Arch>(*high), Batch<Real, Arch>(*low));
-  }
+ private:
+  const Real *low_, *high_;
 };
 
+#ifdef __AVX2__
+template <>
+class RecordQuad<double, xsimd::fma3<xsimd::avx2>> {
+ public:
+  SCARP_INLINE RecordQuad(const double* low, const double* high)
+      : first_(
+            _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(low)), _mm_load_pd(high), 1)),
+        second_(_mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(low + 2)),
+                                     _mm_load_pd(high + 2), 1)) {}
+  template <int K>
+  SCARP_INLINE Batch<double, xsimd::fma3<xsimd::avx2>> operator()(
+      std::integral_constant<int, K>) const {
+    return _mm256_permute_pd(K < 2 ? first_ : second_, K % 2 == 0 ? 0b0000 : 0b1111);
+  }
+
+ private:
+  __m256d first_, second_;
+};
+template <>
+class RecordQuad<float, xsimd::fma3<xsimd::avx2>> {
+ public:
+  SCARP_INLINE RecordQuad(const float* low, const float* high)
+      : both_(
+            _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_load_ps(low)), _mm_load_ps(high), 1)) {}
+  template <int K>
+  SCARP_INLINE Batch<float, xsimd::fma3<xsimd::avx2>> operator()(
+      std::integral_constant<int, K>) const {
+    return _mm256_permute_ps(both_, K * 0b01010101);
+  }
+
+ private:
+  __m256 both_;
+};
+#endif
 #ifdef __AVX512F__
-/// AVX-512 merges a broadcast load under a mask: one instruction less a value than the general
-/// form.
 template <>
-struct HalfSelect<double, xsimd::avx512bw> {
-  SCARP_INLINE Batch<double, xsimd::avx512bw> operator()(const double* low,
-                                                         const double* high) const {
-    return _mm512_mask_broadcastsd_pd(_mm512_set1_pd(*low), 0xF0, _mm_load_sd(high));
+class RecordQuad<double, xsimd::avx512bw> {
+ public:
+  SCARP_INLINE RecordQuad(const double* low, const double* high)
+      : both_(_mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(low)), _mm256_load_pd(high),
+                                 1)) {}
+  template <int K>
+  SCARP_INLINE Batch<double, xsimd::avx512bw> operator()(std::integral_constant<int, K>) const {
+    return _mm512_permutex_pd(both_, K * 0b01010101);
   }
+
+ private:
+  __m512d both_;
 };
 template <>
-struct HalfSelect<float, xsimd::avx512bw> {
-  SCARP_INLINE Batch<float, xsimd::avx512bw> operator()(const float* low, const float* high) const {
-    return _mm512_mask_broadcastss_ps(_mm512_set1_ps(*low), 0xFF00, _mm_load_ss(high));
+class RecordQuad<float, xsimd::avx512bw> {
+ public:
+  SCARP_INLINE RecordQuad(const float* low, const float* high)
+      : both_(_mm512_mask_broadcast_f32x4(_mm512_broadcast_f32x4(_mm_load_ps(low)), 0xFF00,
+                                          _mm_load_ps(high))) {}
+  template <int K>
+  SCARP_INLINE Batch<float, xsimd::avx512bw> operator()(std::integral_constant<int, K>) const {
+    return _mm512_permute_ps(both_, K * 0b01010101);
   }
+
+ private:
+  __m512 both_;
 };
 #endif
 

@@ -8,6 +8,7 @@
 #include "engine/scene/nearest_name.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/scene_problem.hpp"
+#include "engine/scene/smoothing_of.hpp"
 #include "engine/scene/validate_parts.hpp"
 #include "kernels/constitutive/list.hpp"
 
@@ -26,6 +27,15 @@ void check_numerics(const Numerics& n) {
   inside(n.viscosity_beta, 0.0, 100.0, key("viscosity_beta"));
   inside(n.artificial_stress, 0.0, 10.0, key("artificial_stress"));
   inside(n.artificial_stress_exponent, 0.0, 20.0, key("artificial_stress_exponent"));
+  if (n.artificial_stress > 0.0) {
+    const double error = tension_factor_of(n).error;
+    rule(error<0.01, key("artificial_stress_exponent"), n.artificial_stress_exponent> 0.0
+             ? fmt::format("{}", n.artificial_stress_exponent)
+             : "\"auto\"",
+         fmt::format("F^n rises so steeply that the sweep's polynomials miss it by {:.1f} %, more "
+                     "than 1 %. Try an exponent of 4 or less.",
+                     100.0 * error));
+  }
   inside(n.stress_diffusion, 0.0, 1.0, key("stress_diffusion"));
   inside(n.diffusion_shear_gate, 0.0, 1e6, key("diffusion_shear_gate"));
   inside(n.verlet_restart_interval, 1, 1e6, key("verlet_restart_interval"));

@@ -35,10 +35,9 @@ PairConstants<float> narrowed(const PairConstants<double>& wide) {
   out.viscosity_alpha = static_cast<float>(wide.viscosity_alpha);
   out.viscosity_beta = static_cast<float>(wide.viscosity_beta);
   for (int a = 0; a < 3; ++a) out.gravity[a] = static_cast<float>(wide.gravity[a]);
-  for (int side = 0; side < 2; ++side) {
-    for (int k = 0; k <= tension_degree; ++k)
-      out.tension_factor[side][k] = static_cast<float>(wide.tension_factor[side][k]);
-  }
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  std::ranges::transform(wide.tension_factor.outer, out.tension_factor.outer, narrow);
+  std::ranges::transform(wide.tension_factor.inner, out.tension_factor.inner, narrow);
   return out;
 }
 
@@ -71,7 +70,7 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
         fit = fit && (fits || padding);
         to[record_x + a] = position_bits(padding ? far_steps : fits ? offset / position_step : 0.0);
       }
-      for (int slot = record_velocity_x; slot < record_size; ++slot)
+      for (int slot = record_volume; slot < record_size; ++slot)
         to[slot] = static_cast<float>(from[slot]);
     }
     return fit;

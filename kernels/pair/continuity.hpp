@@ -13,7 +13,7 @@ struct Continuity {
 
   template <int Dim>
   SCARP_INLINE void add(const PairGeometry<B, Dim>& pair, const PairMotion<B, Dim>& motion) {
-    density_rate = xsimd::fma(pair.density * pair.gradient, motion.approach, density_rate);
+    density_rate = xsimd::fma(motion.density * pair.gradient, motion.approach, density_rate);
   }
 };
 

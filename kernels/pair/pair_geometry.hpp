@@ -19,7 +19,6 @@ template <class B, int Dim>
 struct PairGeometry {
   B offset[Dim];       ///< (x_i - x_j)/h
   B gradient;          ///< times `offset` it is V_j grad_i W [1/m]
-  B density;           ///< rho_j
   B distance_squared;  ///< (r/h)^2
   /// 1/(((r/h)^2 + 0.01)(rho_i + rho_j)), the denominators of Eq. 26; without viscosity
   /// 1/((r/h)^2 + 0.01).
@@ -30,32 +29,58 @@ struct PairGeometry {
 template <class B, int Dim>
 struct PairMotion {
   B velocity[Dim];         ///< v_i - v_j
+  B density;               ///< rho_j
   B approach;              ///< velocity . offset
   B volume_gradient[Dim];  ///< V_j grad_i W [1/m]
 };
+
+/// The stored components of a tensor whose first four are in one quad.
+template <int Dim, class Quad, class B>
+SCARP_INLINE void take_tensor(const Quad& first, const Quad& second, B (&out)[6]) {
+  unrolled<4>([&](auto c) SCARP_LAMBDA { out[c] = first(c); });
+  if constexpr (Dim == 3) unrolled<2>([&](auto c) SCARP_LAMBDA { out[4 + c] = second(c); });
+}
 
 /// Added to (r/h)^2: keeps the self-pair and coincident particles finite (their offset makes them
 /// 0), and is so small that no other pair feels it, not by one rounding.
 template <class Real>
 inline constexpr Real closest = Real(1e-30);
 
+/// b = max(2-q, 0) and a = max(1-q, 0), which all functions of distance are written in.
+template <class B>
+struct TruncatedPowers {
+  B outer, outer_squared, inner, inner_squared;
+
+  SCARP_INLINE explicit TruncatedPowers(const B& q) {
+    using Real = typename B::value_type;
+    outer = xsimd::max(B(Real(2)) - q, B(Real(0)));
+    inner = xsimd::max(B(Real(1)) - q, B(Real(0)));
+    outer_squared = outer * outer;
+    inner_squared = inner * inner;
+  }
+};
+
+/// c[0] + c[1] x + ... in Horner's scheme.
+template <class B, class Real, std::size_t Count>
+SCARP_INLINE B polynomial(const B& x, const Real (&c)[Count]) {
+  B sum(c[Count - 1]);
+  unrolled<static_cast<int>(Count) - 1>(
+      [&](auto k) SCARP_LAMBDA { sum = xsimd::fma(sum, x, B(c[Count - 2 - k])); });
+  return sum;
+}
+
 /// dW/dq in truncated powers. Equation: E25, S1, S2.
 template <class B, class Real>
-SCARP_INLINE B smoothing_slope(const B& q, const SmoothingView<Real>& s) {
-  const B zero(Real(0));
-  const B b = xsimd::max(B(Real(2)) - q, zero), a = xsimd::max(B(Real(1)) - q, zero);
-  const B outer =
-      xsimd::fma(b, xsimd::fma(b, B(s.derivative[2]), B(s.derivative[1])), B(s.derivative[0]));
-  return xsimd::fma(outer, b * b, B(s.derivative_inner) * (a * a));
+SCARP_INLINE B smoothing_slope(const TruncatedPowers<B>& at, const SmoothingView<Real>& s) {
+  return xsimd::fma(polynomial(at.outer, s.derivative), at.outer_squared,
+                    B(s.derivative_inner) * at.inner_squared);
 }
 
 /// W h^d / alpha_D in the scaling of `s.value`.
 template <class B, class Real>
-SCARP_INLINE B smoothing_value(const B& q, const SmoothingView<Real>& s) {
-  const B zero(Real(0));
-  const B b = xsimd::max(B(Real(2)) - q, zero), a = xsimd::max(B(Real(1)) - q, zero);
-  const B outer = xsimd::fma(b, xsimd::fma(b, B(s.value[2]), B(s.value[1])), B(s.value[0]));
-  return xsimd::fma(outer, b * b * b, B(s.value_inner) * (a * a * a));
+SCARP_INLINE B smoothing_value(const TruncatedPowers<B>& at, const SmoothingView<Real>& s) {
+  return xsimd::fma(polynomial(at.outer, s.value), at.outer_squared * at.outer,
+                    B(s.value_inner) * (at.inner_squared * at.inner));
 }
 
 }  // namespace scarp::kernels

@@ -33,11 +33,12 @@ struct SweepTraits {
 template <class Arch, class Real, class Traits>
 class ClusterSweep {
   static constexpr int dim = Traits::dimension;
-  static constexpr int stride = record_size;
   static constexpr int half = cluster_size<Real, Arch>;
   static constexpr int stages = entry_block / 2;
   static constexpr int prefetch_distance = 2 * entry_block;
+  static constexpr int density_place = record_density - record_velocity_x;
   using B = Batch<Real, Arch>;
+  using Quad = RecordQuad<Real, Arch>;
   using Pair = PairGeometry<B, dim>;
 
  public:
@@ -50,6 +51,10 @@ class ClusterSweep {
       load(i_.position[a], record_x + a);
       load(i_.velocity[a], record_velocity_x + a);
     }
+    if constexpr (Traits::artificial_stress) {
+      for (int l = 0; l < half; ++l)
+        cluster_in_tension_ |= view.tension != nullptr && view.tension[first_ + l] != 0;
+    }
   }
 
   template <bool Wall>
@@ -58,22 +63,20 @@ class ClusterSweep {
     for (std::int64_t block = begin; block < end; block += entry_block) {
       for (int k = 0; k < entry_block;
            ++k) {  // lists end in padding, so reading ahead stays inside
-        const Real* ahead =
-            view_.records + std::int64_t{entries[block + prefetch_distance + k]} * stride;
-        __builtin_prefetch(ahead);
-        if constexpr (sizeof(Real) * stride > 64) __builtin_prefetch(ahead + 64 / sizeof(Real));
+        const std::int64_t ahead = entries[block + prefetch_distance + k];
+        prefetch<record_size>(view_.records + ahead * record_size);
+        if constexpr (Traits::artificial_stress) {
+          if (view_.tension != nullptr)
+            prefetch<tension_record_size>(view_.tension_records + ahead * tension_record_size);
+        }
       }
-      Pair pairs[stages];
-      unrolled<stages>([&](auto s) SCARP_LAMBDA {
-        pairs[s] = geometry(entries[block + 2 * s], entries[block + 2 * s + 1]);
-      });
       if constexpr (Traits::artificial_stress) {
         if (block_has_tension(entries + block)) {
-          accumulate_block<Wall, true>(pairs, entries + block);
+          add_block<Wall, true>(entries + block);
           continue;
         }
       }
-      accumulate_block<Wall, false>(pairs, entries + block);
+      add_block<Wall, false>(entries + block);
     }
   }
 
@@ -111,7 +114,7 @@ class ClusterSweep {
   SCARP_INLINE void load(B& value, int slot) const {
     alignas(64) Real lane[lanes<Real, Arch>];
     for (int l = 0; l < half; ++l)
-      lane[l] = lane[l + half] = view_.records[(first_ + l) * stride + slot];
+      lane[l] = lane[l + half] = view_.records[(first_ + l) * record_size + slot];
     value = B::load_aligned(lane);
   }
 
@@ -134,24 +137,50 @@ class ClusterSweep {
     for (int l = 0; l < half; ++l) out[first_ + l] = static_cast<double>(lane[l]);
   }
 
-  SCARP_INLINE Pair geometry(std::int32_t low, std::int32_t high) const {
-    const Real* p = view_.records + std::int64_t{low} * stride;
-    const Real* r = view_.records + std::int64_t{high} * stride;
+  template <int Values>
+  static SCARP_INLINE void prefetch(const Real* record) {
+    for (int v = 0; v < Values; v += static_cast<int>(64 / sizeof(Real)))
+      __builtin_prefetch(record + v);
+  }
+
+  /// Four values of two records from slot `First` on.
+  template <int First>
+  SCARP_INLINE Quad quad(std::int32_t low, std::int32_t high) const {
+    return Quad(view_.records + std::int64_t{low} * record_size + First,
+                view_.records + std::int64_t{high} * record_size + First);
+  }
+
+  template <bool Wall, bool Tension>
+  SCARP_INLINE void add_block(const std::int32_t* entries) {
+    Pair pairs[stages];
+    B factor[stages];  // of the artificial stress
+    unrolled<stages>([&](auto s) SCARP_LAMBDA {
+      pairs[s] = geometry<Tension>(entries[2 * s], entries[2 * s + 1], factor[s]);
+    });
+    unrolled<stages>([&](auto s) SCARP_LAMBDA {
+      accumulate<Wall, Tension>(pairs[s], entries[2 * s], entries[2 * s + 1], factor[s]);
+    });
+  }
+
+  template <bool Tension>
+  SCARP_INLINE Pair geometry(std::int32_t low, std::int32_t high,
+                             [[maybe_unused]] B& factor) const {
+    const Quad place = quad<record_x>(low, high);
     Pair pair;
     B squared(closest<Real>);
     unrolled<dim>([&](auto a) SCARP_LAMBDA {
-      pair.offset[a] =
-          position_difference<Arch>(i_.position[a], select_(p + record_x + a, r + record_x + a));
+      pair.offset[a] = position_difference<Arch>(i_.position[a], place(a));
       squared = xsimd::fma(pair.offset[a], pair.offset[a], squared);
     });
     pair.distance_squared = squared;
     const B inverse_distance = inverse_sqrt(squared);
-    pair.gradient = select_(p + record_volume, r + record_volume) *
-                    smoothing_slope(squared * inverse_distance, view_.constants.smoothing) *
-                    inverse_distance;
-    pair.density = select_(p + record_density, r + record_density);
+    const TruncatedPowers<B> powers(squared * inverse_distance);
+    pair.gradient = place(constant<record_volume - record_x>) *
+                    smoothing_slope(powers, view_.constants.smoothing) * inverse_distance;
+    if constexpr (Tension) factor = tension_factor(powers, view_.constants.tension_factor);
     if constexpr (Traits::viscosity) {
-      pair.inverse_regularised = inverse((squared + B(Real(0.01))) * (i_.density + pair.density));
+      const B density = quad<record_velocity_x>(low, high)(constant<density_place>);
+      pair.inverse_regularised = inverse((squared + B(Real(0.01))) * (i_.density + density));
     } else if constexpr (Traits::diffusion) {
       pair.inverse_regularised = inverse(squared + B(Real(0.01)));
     }
@@ -160,13 +189,12 @@ class ClusterSweep {
 
   SCARP_INLINE PairMotion<B, dim> motion(const Pair& pair, std::int32_t low,
                                          std::int32_t high) const {
-    const Real* p = view_.records + std::int64_t{low} * stride;
-    const Real* r = view_.records + std::int64_t{high} * stride;
+    const Quad moving = quad<record_velocity_x>(low, high);
     PairMotion<B, dim> m;
+    m.density = moving(constant<density_place>);
     unrolled<dim>([&](auto a) SCARP_LAMBDA {
       m.volume_gradient[a] = pair.gradient * pair.offset[a];
-      m.velocity[a] =
-          i_.velocity[a] - select_(p + record_velocity_x + a, r + record_velocity_x + a);
+      m.velocity[a] = i_.velocity[a] - moving(a);
     });
     m.approach = m.velocity[0] * pair.offset[0];
     unrolled<dim - 1>([&](auto a) SCARP_LAMBDA {
@@ -176,63 +204,45 @@ class ClusterSweep {
   }
 
   template <bool Wall, bool Tension>
-  SCARP_INLINE void accumulate_block(const Pair (&pairs)[stages], const std::int32_t* entries) {
-    B factor[stages];  // of the artificial stress
-    if constexpr (Tension) {
-      unrolled<stages>([&](auto s)
-                           SCARP_LAMBDA { factor[s] = xsimd::sqrt(pairs[s].distance_squared); });
-      tension_factors(factor, view_.constants.tension_factor);
-    }
-    unrolled<stages>([&](auto s) SCARP_LAMBDA {
-      accumulate<Wall, Tension>(pairs[s], entries[2 * s], entries[2 * s + 1], factor[s]);
-    });
-  }
-
-  template <bool Wall, bool Tension>
   SCARP_INLINE void accumulate(const Pair& pair, std::int32_t low, std::int32_t high,
-                               [[maybe_unused]] const B& tension_factor) {
-    const Real* p = view_.records + std::int64_t{low} * stride;
-    const Real* r = view_.records + std::int64_t{high} * stride;
+                               [[maybe_unused]] const B& factor) {
     const PairMotion<B, dim> m = motion(pair, low, high);
+    const Quad stresses = quad<record_stress>(low, high), more = quad<record_stress + 4>(low, high);
     B stress[6];
-    if constexpr (Traits::force || (Traits::diffusion && !Wall)) {
-      unrolled<dim == 2 ? 4 : 6>([&](auto c) SCARP_LAMBDA {
-        stress[c] = select_(p + record_stress + c, r + record_stress + c);
-      });
-    }
+    if constexpr (Traits::force || (Traits::diffusion && !Wall))
+      take_tensor<dim>(stresses, more, stress);
     if constexpr (Traits::continuity) continuity_.add(pair, m);
     if constexpr (Traits::gradient) gradient_.add(m);
     if constexpr (Traits::correction) moment_.add(pair, m);
     if constexpr (Traits::diffusion && !Wall) {
       B regularised = pair.inverse_regularised;
-      if constexpr (Traits::viscosity) regularised *= i_.density + pair.density;
-      diffusion_.add(pair, i_, select_(p + record_diffusivity, r + record_diffusivity), regularised,
+      if constexpr (Traits::viscosity) regularised *= i_.density + m.density;
+      diffusion_.add(pair, i_, more(constant<record_diffusivity - record_stress - 4>), regularised,
                      stress, view_.constants.gravity);
     }
-    if constexpr (Tension) add_tension(pair, m, low, high, tension_factor, stress);
+    if constexpr (Tension) add_tension(m, low, high, factor, stress);
     if constexpr (Traits::force) momentum_.add(stress, m.volume_gradient);
     if constexpr (Traits::viscosity) {
-      viscosity_.add(pair, m, i_, select_(p + record_sound_speed, r + record_sound_speed),
+      viscosity_.add(pair, m, i_, more(constant<record_sound_speed - record_stress - 4>),
                      view_.constants.viscosity_alpha, view_.constants.viscosity_beta,
                      momentum_.force);
     }
   }
 
-  SCARP_INLINE void add_tension(const Pair& pair, const PairMotion<B, dim>& m, std::int32_t low,
-                                std::int32_t high, const B& factor, B (&stress)[6]) {
+  SCARP_INLINE void add_tension(const PairMotion<B, dim>& m, std::int32_t low, std::int32_t high,
+                                const B& factor, B (&stress)[6]) {
     const Real* p = view_.tension_records + std::int64_t{low} * tension_record_size;
     const Real* r = view_.tension_records + std::int64_t{high} * tension_record_size;
     B tension_j[6];
-    unrolled<dim == 2 ? 4 : 6>([&](auto c) SCARP_LAMBDA { tension_j[c] = select_(p + c, r + c); });
-    artificial_stress_.add(pair, m, i_, factor, tension_j, stress);
+    take_tensor<dim>(Quad(p, r), Quad(p + 4, r + 4), tension_j);
+    artificial_stress_.add(m, i_, factor, tension_j, stress);
   }
 
   /// True if any entry of the block or any particle of the cluster is in tension.
   SCARP_INLINE bool block_has_tension(const std::int32_t* entries) const {
-    if (view_.tension == nullptr) return false;
+    if (view_.tension == nullptr || cluster_in_tension_) return cluster_in_tension_;
     unsigned any = 0;
     for (int k = 0; k < entry_block; ++k) any |= view_.tension[entries[k]];
-    for (int l = 0; l < half; ++l) any |= view_.tension[first_ + l];
     return any != 0;
   }
 
@@ -278,7 +288,7 @@ class ClusterSweep {
 
   const PairSweepView<Real>& view_;
   std::int64_t first_;
-  HalfSelect<Real, Arch> select_;
+  bool cluster_in_tension_ = false;
   ParticleLanes<B> i_;
   If<Traits::continuity, Continuity<B>> continuity_;
   If<Traits::gradient, VelocityGradient<B, dim>> gradient_;

@@ -73,8 +73,8 @@ void add_forces(const ReferenceParticles& p, const ReferenceSettings& s, std::si
       sum.add(mass * stress_j(a, b) / (p.density[i] * p.density[j]) * gradient(b));
       for (const double r : {artificial_i(a, b), artificial_j(a, b)}) {
         sum.add(mass * weight * r * gradient(b));
-        rate.largest_artificial =
-            std::fmax(rate.largest_artificial, std::fabs(mass * r * gradient(b)));
+        rate.largest_artificial = std::fmax(
+            rate.largest_artificial, std::fmax(1.0, weight) * std::fabs(mass * r * gradient(b)));
       }
     }
     sum.add(-mass * pi * gradient(a));

@@ -65,7 +65,8 @@ struct ReferenceRate {
   std::array<ReferenceSum, 9> velocity_gradient;
   std::array<ReferenceSum, 6> moment;
   std::array<ReferenceSum, 3> acceleration;
-  double largest_artificial = 0.0;  ///< largest term of the artificial stress without F^n [m/s2]
+  /// Largest term of the artificial stress, with 1 for a smaller F^n [m/s2].
+  double largest_artificial = 0.0;
   double approach_rate = 0.0;
   std::array<ReferenceSum, 6> diffusion_rate;
   ReferenceSum diffusion_slope;

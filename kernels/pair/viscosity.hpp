@@ -19,14 +19,14 @@ struct Viscosity {
                         const ParticleLanes<B>& i, const B& sound_speed_j, Real alpha, Real beta,
                         B (&force)[Dim]) {
     const B scaled = xsimd::min(motion.approach, B(Real(0))) * pair.inverse_regularised;
-    const B mu = scaled * (i.density + pair.density);
+    const B mu = scaled * (i.density + motion.density);
     // Entries of the list beyond the support must not limit the step: their gradient is 0.
     const B zero(Real(0));
     lowest_mu = xsimd::min(lowest_mu, xsimd::select(pair.gradient < zero, mu, zero));
     // rho_i rho_j Pi = mu (2 beta mu - alpha (c_i + c_j)) rho_i rho_j/(rho_i + rho_j); in mu/(rho_i
     // + rho_j) the sum of densities cancels and `scaled` is left.
     const B speed = xsimd::fma(B(Real(2) * beta), mu, B(-alpha) * (i.sound_speed + sound_speed_j));
-    const B factor = scaled * speed * (i.density * pair.density);
+    const B factor = scaled * speed * (i.density * motion.density);
     unrolled<Dim>([&](auto a) SCARP_LAMBDA {
       force[a] = xsimd::fnma(factor, motion.volume_gradient[a], force[a]);
     });

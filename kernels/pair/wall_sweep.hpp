@@ -18,7 +18,7 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
   using B = Batch<Real, Arch>;
   constexpr int half = cluster_size<Real, Arch>;
   constexpr int components = Dim == 2 ? 4 : 6;
-  const HalfSelect<Real, Arch> select;
+  using Quad = RecordQuad<Real, Arch>;
   const std::int32_t* entries = view.neighbours.entries;
   for (std::int64_t cluster = begin; cluster < end; ++cluster) {
     const std::int64_t first = view.first_wall + cluster * half;
@@ -40,26 +40,30 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
     for (std::int64_t e = view.neighbours.soil_begin[cluster]; e < end_entry; e += 2) {
       const Real* p = view.records + std::int64_t{entries[e]} * record_size;
       const Real* r = view.records + std::int64_t{entries[e + 1]} * record_size;
+      const Quad place(p + record_x, r + record_x),
+          moving(p + record_velocity_x, r + record_velocity_x);
+      const Quad stresses(p + record_stress, r + record_stress),
+          more(p + record_stress + 4, r + record_stress + 4);
       B squared(Real(0)), fall(Real(0)), depth(Real(0));
-      for (int a = 0; a < Dim; ++a) {
-        const B offset = position[a] - select(p + record_x + a, r + record_x + a);
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+        const B offset = position[a] - place(a);
         squared = xsimd::fma(offset, offset, squared);
         fall = xsimd::fma(offset, B(view.gravity[a]), fall);
         depth = xsimd::fma(offset, normal[a], depth);
-      }
-      const B weight = smoothing_value(xsimd::sqrt(squared), view.smoothing);
-      const B lithostatic = select(p + record_density, r + record_density) * fall;
+      });
+      const B weight = smoothing_value(TruncatedPowers(xsimd::sqrt(squared)), view.smoothing);
+      const B lithostatic = moving(constant<record_density - record_velocity_x>) * fall;
       weight_sum = weight_sum + weight;
       height_sum = xsimd::fnma(weight, depth, height_sum);
-      for (int a = 0; a < Dim; ++a) {
-        velocity_sums[a] = xsimd::fma(
-            weight, select(p + record_velocity_x + a, r + record_velocity_x + a), velocity_sums[a]);
-      }
-      for (int c = 0; c < components; ++c) {
-        B stress = select(p + record_stress + c, r + record_stress + c);
-        if (c <= zz) stress = stress - lithostatic;
-        sums[c] = xsimd::fma(weight, stress, sums[c]);
-      }
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+        velocity_sums[a] = xsimd::fma(weight, moving(a), velocity_sums[a]);
+      });
+      B stress[6];
+      take_tensor<Dim>(stresses, more, stress);
+      unrolled<components>([&](auto c) SCARP_LAMBDA {
+        if constexpr (c <= zz) stress[c] = stress[c] - lithostatic;
+        sums[c] = xsimd::fma(weight, stress[c], sums[c]);
+      });
     }
     alignas(64) Real weights[2 * half], heights[2 * half];
     weight_sum.store_aligned(weights);

@@ -34,7 +34,7 @@ void expect_field(const std::vector<ReferenceRate>& expected, const double* actu
   }
 }
 
-/// `fit_error`: of F^n, for the terms of the artificial stress.
+/// `fit_error`: of F^n over the greater of it and 1, for the terms of the artificial stress.
 void expect_rates(const std::vector<ReferenceRate>& expected, SweepOutput& out,
                   const SweepVariant& v, double fit_error, double unit = epsilon) {
   const int dim = v.dimension;
@@ -99,9 +99,9 @@ class PairSweepTest : public testing::TestWithParam<SweepCase> {
   const ReferenceSettings settings_ = settings_for(std::get<0>(GetParam()), dimension_);
   const ReferenceParticles particles_ = random_block(block_for(dimension_), 7);
   // Largest error of the fit of F^n for n = 2.55 (artificial_stress_test holds it to this).
-  const double fit_error_ = std::get<0>(GetParam()) == ReferenceSmoothing::yang_liu       ? 1e-8
-                            : std::get<0>(GetParam()) == ReferenceSmoothing::cubic_spline ? 1e-7
-                                                                                          : 1e-5;
+  const double fit_error_ = std::get<0>(GetParam()) == ReferenceSmoothing::yang_liu       ? 2e-7
+                            : std::get<0>(GetParam()) == ReferenceSmoothing::cubic_spline ? 7e-6
+                                                                                          : 1.5e-4;
 };
 
 TEST_P(PairSweepTest, EveryCompiledVariantAgreesWithTheReference) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/particles/aligned_vector.hpp"
+#include "engine/scene/tension_factor_fit.hpp"
 #include "kernels/pair/pair_sweep_reference.hpp"
-#include "kernels/pair/tension_factor_fit.hpp"
 #include "kernels/particle_view.hpp"
 #include "kernels/smoothing/list.hpp"
 
@@ -90,8 +90,10 @@ class PackedParticles {
       view.constants.gravity[a] =
           settings_.gravity[static_cast<std::size_t>(a)] * settings_.smoothing_length;
     }
-    kernels::fit_tension_factor(form, settings_.spacing / settings_.smoothing_length,
-                                settings_.tension_exponent, view.constants.tension_factor);
+    view.constants.tension_factor =
+        fit_tension_factor(form, settings_.spacing / settings_.smoothing_length,
+                           settings_.tension_exponent)
+            .factor;
     return view;
   }
   kernels::WallSweepView<double> wall_view() const {

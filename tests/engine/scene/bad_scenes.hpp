@@ -140,6 +140,8 @@ inline constexpr BadScene bad_scenes[] = {
     {in_3d, "plasticity = \"rate\"", "plasticity = \"return\"", 21, "would clamp the step"},
     {in_3d, "artificial_stress_exponent = \"auto\"", "artificial_stress_exponent = \"automatic\"",
      15, "it is none of auto"},
+    {in_3d, "artificial_stress_exponent = \"auto\"", "artificial_stress_exponent = 19", 15,
+     "more than 1 %. Try an exponent of 4 or less"},
     {in_3d, "k0 = 0.5", "k0 = -0.5", 86, "it is negative"},
     {in_3d, "stress = \"geostatic\"", "stress = \"zero\"", 86, "needs stress = \"geostatic\""},
     {in_2d, "stress = \"geostatic\"", "stress = \"uniform\"", 27,

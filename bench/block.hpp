@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/state.hpp"
+#include "kernels/neighbour_block.hpp"
 
 namespace scarp::bench {
 
@@ -104,9 +105,12 @@ inline std::int64_t true_pairs(State& state) {
   const double support = 2.0;
   std::int64_t pairs = 0;
   for (std::int64_t cluster = 0; cluster < state.lists.clusters(); ++cluster) {
-    for (std::int64_t e = lists.soil_begin[cluster]; e < lists.wall_begin[cluster]; ++e) {
+    const std::int64_t blocks = lists.wall_begin[cluster] - lists.soil_begin[cluster];
+    for (std::int64_t e = 0; e < blocks * kernels::entry_block; ++e) {
+      const kernels::NeighbourBlock block(lists,
+                                          lists.soil_begin[cluster] + e / kernels::entry_block);
       for (int l = 0; l < size; ++l) {
-        const std::int64_t i = cluster * size + l, j = lists.entries[e];
+        const std::int64_t i = cluster * size + l, j = block.record[e % kernels::entry_block];
         if (i == j || state.particles.ids()[static_cast<std::size_t>(i)] < 0) continue;
         double square = 0.0;
         for (int a = 0; a < dimension; ++a) {

@@ -68,15 +68,20 @@ enum WallSlot {
   wall_record_size
 };
 
-/// Neighbours of clusters of particles: entries [soil_begin(c), wall_begin(c)) are soil or images,
-/// [wall_begin(c), end(c)) dummies; both ranges are padded to `entry_block` with the far record.
+/// Neighbours of clusters of particles, in blocks of `entry_block` records that share a page, so
+/// that two bytes tell each: page[block] + place[entry], or the far record for `no_neighbour`.
+/// Blocks [soil_begin[c], wall_begin[c]) hold soil and images, [wall_begin[c], soil_begin[c + 1])
+/// dummies.
 struct NeighbourView {
-  const std::int32_t* entries;
-  const std::int64_t* soil_begin;
+  const std::int32_t* page;        ///< by block: first record of its page
+  const std::uint16_t* place;      ///< by entry, entry_block to a block
+  const std::int64_t* soil_begin;  ///< clusters and one more
   const std::int64_t* wall_begin;
-  const std::int64_t* end;
+  std::int32_t far_record;
 };
 inline constexpr int entry_block = 8;
+inline constexpr std::uint16_t no_neighbour = 0xffff;
+inline constexpr std::int32_t page_size = no_neighbour;
 
 /// Coefficients of the smoothing function, see `kernels/smoothing/smoothing.hpp`, in truncated
 /// powers b = max(2-q, 0), a = max(1-q, 0).

@@ -8,10 +8,8 @@
 #include <utility>
 #include <xsimd/xsimd.hpp>
 
+#include "kernels/always_inline.hpp"
 #include "kernels/particle_view.hpp"
-
-#define SCARP_INLINE inline __attribute__((always_inline))
-#define SCARP_LAMBDA __attribute__((always_inline))
 
 namespace scarp::kernels {
 

@@ -59,7 +59,7 @@ void hold_off_faces(State& state) {
   const auto run = [&](std::int64_t begin, std::int64_t end) {
     std::uint64_t held = 0;
     for (std::int64_t cluster = begin; cluster < end; ++cluster) {
-      if (lists.wall_begin[cluster] == lists.end[cluster]) continue;
+      if (lists.wall_begin[cluster] == lists.soil_begin[cluster + 1]) continue;
       for (std::int64_t k = cluster * size; k < (cluster + 1) * size; ++k) held += hold(k);
     }
     return held;

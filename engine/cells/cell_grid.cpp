@@ -3,7 +3,6 @@
 #include "engine/cells/cell_grid.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -36,8 +35,10 @@ void sort_by_key(std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& scratch)
   }
 }
 
-std::size_t hash(std::uint64_t key) {
-  return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> 20);
+/// A place in a table of any size below 2^32.
+std::size_t home(std::uint64_t key, std::size_t size) {
+  const std::uint64_t mixed = key * 0x9e3779b97f4a7c15u >> 32;
+  return static_cast<std::size_t>(mixed * size >> 32);
 }
 
 }  // namespace
@@ -52,9 +53,8 @@ CellIndex CellGrid::cell_of(double x, double y, double z) const {
 
 void CellGrid::insert(std::uint64_t key, std::int32_t begin, std::int32_t end,
                       std::vector<Bucket>& table) {
-  const std::size_t mask = table.size() - 1;
-  std::size_t place = hash(key) & mask;
-  while (table[place].key != empty) place = (place + 1) & mask;
+  std::size_t place = home(key, table.size());
+  while (table[place].key != empty) place = place + 1 < table.size() ? place + 1 : 0;
   table[place] = {key, begin, end};
 }
 
@@ -95,7 +95,7 @@ void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotR
     std::size_t occupied = 0;
     for (std::size_t k = 0; k < items.size(); ++k)
       occupied += k == 0 || items[k].key != items[k - 1].key;
-    tables_[r].assign(std::bit_ceil(2 * occupied + 1), Bucket{});
+    tables_[r].assign(occupied + occupied / 2 + 1, Bucket{});
     const auto offset = static_cast<std::int32_t>(order_.size());
     for (std::size_t k = 0; k < items.size();) {
       std::size_t end = k + 1;
@@ -111,15 +111,14 @@ void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotR
 void CellGrid::collect(const CellIndex& low, const CellIndex& high,
                        std::vector<std::int32_t>& out) const {
   for (const std::vector<Bucket>& table : tables_) {
-    const std::size_t mask = table.size() - 1;
     for (std::int32_t z = low[2]; z <= high[2]; ++z) {
       for (std::int32_t y = low[1]; y <= high[1]; ++y) {
         for (std::int32_t x = low[0]; x <= high[0]; ++x) {
           const std::uint64_t key =
               morton_key(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
                          static_cast<std::uint32_t>(z));
-          for (std::size_t place = hash(key) & mask; table[place].key != empty;
-               place = (place + 1) & mask) {
+          for (std::size_t place = home(key, table.size()); table[place].key != empty;
+               place = place + 1 < table.size() ? place + 1 : 0) {
             if (table[place].key != key) continue;
             for (std::int32_t k = table[place].begin; k < table[place].end; ++k) {
               out.push_back(order_[static_cast<std::size_t>(k)]);

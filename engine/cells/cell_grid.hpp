@@ -69,7 +69,7 @@ class CellGrid {
   double inverse_cell_ = 1.0;
   std::array<double, 3> origin_{};
   std::vector<std::int32_t> order_;
-  std::vector<std::vector<Bucket>> tables_;  ///< one per range; power-of-two size, linear probing
+  std::vector<std::vector<Bucket>> tables_;  ///< one per range, two thirds full, linear probing
 };
 
 }  // namespace scarp

@@ -27,6 +27,7 @@ struct Candidates {
     if (source.grid != nullptr) {
       source.grid->collect(source.grid->cell_of(low[0], low[1], low[2]),
                            source.grid->cell_of(high[0], high[1], high[2]), slots);
+      put_pages_together(source.first_record);
     }
     const std::size_t count = slots.size();
     x.assign(count + entry_block, 1e150);
@@ -39,12 +40,46 @@ struct Candidates {
       if (source.points.z != nullptr) z[k] = source.points.z[slot];
     }
   }
+
+ private:
+  /// Blocks of a list hold records of one page, and most superclusters see but one.
+  void put_pages_together(std::int64_t first_record) {
+    if (slots.empty()) return;
+    const auto [lowest, highest] = std::minmax_element(slots.begin(), slots.end());
+    if (page_of(first_record + *lowest) == page_of(first_record + *highest)) return;
+    std::size_t used = 0, page = 0;
+    for (const std::int32_t slot : slots) {
+      const auto record = static_cast<std::int32_t>(first_record + slot);
+      if (used == 0 || !pages_[page].holds(record)) {
+        page = 0;
+        while (page < used && !pages_[page].holds(record)) ++page;
+        if (page == used) {
+          if (used == pages_.size()) pages_.emplace_back();
+          pages_[used++] = {page_of(record), std::move(pages_[page].slots)};
+          pages_[page].slots.clear();
+        }
+      }
+      pages_[page].slots.push_back(slot);
+    }
+    slots.clear();
+    for (std::size_t k = 0; k < used; ++k)
+      slots.insert(slots.end(), pages_[k].slots.begin(), pages_[k].slots.end());
+  }
+
+  struct Page {
+    std::int32_t begin = 0;
+    std::vector<std::int32_t> slots;
+    bool holds(std::int32_t record) const {
+      return record >= begin && record - begin < kernels::page_size;
+    }
+  };
+  std::vector<Page> pages_;  ///< scratch
 };
 
 /// Lists of one chunk of superclusters, before they are put behind each other.
 struct ChunkLists {
-  std::vector<std::int32_t> entries;
-  std::vector<std::int64_t> soil_size, wall_size;  ///< per cluster, padded
+  NeighbourBlocks blocks;
+  std::vector<std::int64_t> soil_size, wall_size;  ///< per cluster, in blocks
 };
 
 class ChunkBuilder {
@@ -64,9 +99,11 @@ class ChunkBuilder {
       const auto members = static_cast<int>(std::clamp<std::int64_t>(valid_end - first, 0, size));
       std::int64_t soil = 0, walls = 0;
       if (members > 0) {
-        soil = append(soil_, input_.soil, first, members);
-        soil = pad(soil + append(images_, input_.images, first, members));
-        walls = pad(append(walls_, input_.walls, first, members));
+        add(soil_, input_.soil, first, members);
+        add(images_, input_.images, first, members);
+        soil = end_list();
+        add(walls_, input_.walls, first, members);
+        walls = end_list();
       }
       out_.soil_size.push_back(soil);
       out_.wall_size.push_back(walls);
@@ -87,17 +124,18 @@ class ChunkBuilder {
     walls_.gather(input_.walls, low, high);
   }
 
-  std::int64_t pad(std::int64_t kept) {
-    const std::int64_t full = (kept + entry_block - 1) / entry_block * entry_block;
-    out_.entries.insert(out_.entries.end(), static_cast<std::size_t>(full - kept),
-                        static_cast<std::int32_t>(input_.far_record));
-    return full;
+  /// Returns how many blocks the list takes.
+  std::int64_t end_list() {
+    const std::int64_t before = written_;
+    out_.blocks.end_list();
+    written_ = out_.blocks.size();
+    return written_ - before;
   }
 
-  std::int64_t append(const Candidates& candidates, const NeighbourSource& source,
-                      std::int64_t first, int members) {
+  void add(const Candidates& candidates, const NeighbourSource& source, std::int64_t first,
+           int members) {
     const std::size_t count = candidates.slots.size();
-    if (count == 0) return 0;
+    if (count == 0) return;
     found_.resize(count + entry_block);
     const kernels::CandidateView view{
         candidates.x.data(),
@@ -113,9 +151,8 @@ class ChunkBuilder {
     for (int k = 0; k < kept; ++k) {
       const std::int32_t slot =
           candidates.slots[static_cast<std::size_t>(found_[static_cast<std::size_t>(k)])];
-      out_.entries.push_back(static_cast<std::int32_t>(source.first_record + slot));
+      out_.blocks.add(static_cast<std::int32_t>(source.first_record + slot));
     }
-    return kept;
   }
 
   const kernels::KernelTable& kernels_;
@@ -123,6 +160,7 @@ class ChunkBuilder {
   ChunkLists& out_;
   Candidates soil_, images_, walls_;
   std::vector<std::int32_t> found_;
+  std::int64_t written_ = 0;
   std::array<double, 16> zeros_{};
 };
 
@@ -133,8 +171,13 @@ void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, con
   const std::int64_t size = input.cluster_size, clusters = input.slots / size;
   std::vector<ChunkLists> chunks(
       static_cast<std::size_t>((input.slots + particle_chunk - 1) / particle_chunk));
+  // Lists of a chunk are mostly as long as the last ones.
+  const std::int64_t expected =
+      9 * blocks_.size() / (8 * std::max<std::int64_t>(1, std::ssize(chunks)));
   parallel_chunks(threads, input.slots, particle_chunk, [&](std::int64_t begin, std::int64_t end) {
-    ChunkBuilder builder(kernels, input, chunks[static_cast<std::size_t>(begin / particle_chunk)]);
+    ChunkLists& chunk = chunks[static_cast<std::size_t>(begin / particle_chunk)];
+    chunk.blocks.reserve(expected);
+    ChunkBuilder builder(kernels, input, chunk);
     // A supercluster ends with its range, so that no candidate box spans two materials' far
     // corners.
     for (std::int64_t slot = begin; slot < end;) {
@@ -146,9 +189,9 @@ void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, con
       slot = next;
     }
   });
-  soil_begin_.resize(static_cast<std::size_t>(clusters));
+  soil_begin_.assign(static_cast<std::size_t>(clusters + 1), 0);
   wall_begin_.resize(static_cast<std::size_t>(clusters));
-  end_.resize(static_cast<std::size_t>(clusters));
+  far_record_ = static_cast<std::int32_t>(input.far_record);
   active_.clear();
   std::vector<std::int64_t> chunk_start;
   std::int64_t total = 0;
@@ -156,25 +199,23 @@ void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, con
   for (const ChunkLists& chunk : chunks) {
     chunk_start.push_back(total);
     for (std::size_t k = 0; k < chunk.soil_size.size(); ++k, ++cluster) {
-      soil_begin_[cluster] = total;
       wall_begin_[cluster] = total + chunk.soil_size[k];
-      total = end_[cluster] = wall_begin_[cluster] + chunk.wall_size[k];
-      if (end_[cluster] > soil_begin_[cluster])
-        active_.push_back(static_cast<std::int32_t>(cluster));
+      const std::int64_t end = wall_begin_[cluster] + chunk.wall_size[k];
+      if (end > total) active_.push_back(static_cast<std::int32_t>(cluster));
+      soil_begin_[cluster + 1] = total = end;
     }
   }
-  entries_.resize(static_cast<std::size_t>(total + 3 * entry_block));
+  blocks_.resize(total);
   parallel_chunks(threads, static_cast<std::int64_t>(chunks.size()), 1,
                   [&](std::int64_t c, std::int64_t) {
-                    const auto& from = chunks[static_cast<std::size_t>(c)].entries;
-                    std::copy(from.begin(), from.end(),
-                              entries_.begin() + chunk_start[static_cast<std::size_t>(c)]);
+                    const auto chunk = static_cast<std::size_t>(c);
+                    blocks_.copy(chunks[chunk].blocks, chunk_start[chunk]);
                   });
-  std::fill(entries_.begin() + total, entries_.end(), static_cast<std::int32_t>(input.far_record));
+  blocks_.append_empty(2);
 }
 
 std::size_t NeighbourLists::bytes() const {
-  return entries_.size() * sizeof(std::int32_t) + 3 * end_.size() * sizeof(std::int64_t);
+  return blocks_.bytes() + (soil_begin_.size() + wall_begin_.size()) * sizeof(std::int64_t);
 }
 
 }  // namespace scarp

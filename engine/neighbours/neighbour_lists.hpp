@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/cells/cell_grid.hpp"
-#include "engine/particles/aligned_vector.hpp"
+#include "engine/neighbours/neighbour_blocks.hpp"
 #include "kernels/isa/kernel_table.hpp"
 #include "kernels/particle_view.hpp"
 
@@ -23,8 +23,7 @@ struct NeighbourSource {
 };
 
 /// Lists of `ranges` of points (clusters never cross a range): soil and its images, then dummies,
-/// each padded to kernels::entry_block with the far record and the whole followed by two blocks
-/// more.
+/// the whole followed by two empty blocks.
 class NeighbourLists {
  public:
   struct Input {
@@ -44,17 +43,20 @@ class NeighbourLists {
   void build(int threads, const kernels::KernelTable& kernels, const Input& input);
 
   kernels::NeighbourView view() const {
-    return {entries_.data(), soil_begin_.data(), wall_begin_.data(), end_.data()};
+    return {blocks_.page().data(), blocks_.place().data(), soil_begin_.data(), wall_begin_.data(),
+            far_record_};
   }
-  std::int64_t clusters() const { return static_cast<std::int64_t>(end_.size()); }
+  std::int64_t clusters() const { return static_cast<std::int64_t>(wall_begin_.size()); }
   /// Clusters that have neighbours at all.
   std::span<const std::int32_t> active_clusters() const { return active_; }
-  std::int64_t entries() const { return static_cast<std::int64_t>(entries_.size()); }
+  /// Of all lists, padding included.
+  std::int64_t entries() const { return blocks_.size() * kernels::entry_block; }
   std::size_t bytes() const;
 
  private:
-  AlignedVector<std::int32_t> entries_;
-  std::vector<std::int64_t> soil_begin_, wall_begin_, end_;
+  NeighbourBlocks blocks_;
+  std::vector<std::int64_t> soil_begin_{0}, wall_begin_;
+  std::int32_t far_record_ = 0;
   std::vector<std::int32_t> active_;
 };
 

@@ -3,6 +3,7 @@
 /// particles.
 #pragma once
 
+#include "kernels/neighbour_block.hpp"
 #include "kernels/pair/artificial_stress.hpp"
 #include "kernels/pair/continuity.hpp"
 #include "kernels/pair/momentum.hpp"
@@ -35,7 +36,7 @@ class ClusterSweep {
   static constexpr int dim = Traits::dimension;
   static constexpr int half = cluster_size<Real, Arch>;
   static constexpr int stages = entry_block / 2;
-  static constexpr int prefetch_distance = 2 * entry_block;
+  static constexpr int prefetch_distance = 2;  ///< blocks
   static constexpr int density_place = record_density - record_velocity_x;
   using B = Batch<Real, Arch>;
   using Quad = RecordQuad<Real, Arch>;
@@ -58,25 +59,17 @@ class ClusterSweep {
   }
 
   template <bool Wall>
-  SCARP_INLINE void add_entries(std::int64_t begin, std::int64_t end) {
-    const std::int32_t* entries = view_.neighbours.entries;
-    for (std::int64_t block = begin; block < end; block += entry_block) {
-      for (int k = 0; k < entry_block;
-           ++k) {  // lists end in padding, so reading ahead stays inside
-        const std::int64_t ahead = entries[block + prefetch_distance + k];
-        prefetch<record_size>(view_.records + ahead * record_size);
-        if constexpr (Traits::artificial_stress) {
-          if (view_.tension != nullptr)
-            prefetch<tension_record_size>(view_.tension_records + ahead * tension_record_size);
-        }
-      }
+  SCARP_INLINE void add_blocks(std::int64_t begin, std::int64_t end) {
+    for (std::int64_t block = begin; block < end; ++block) {
+      prefetch(block + prefetch_distance);  // lists end in empty blocks: this one exists
+      const NeighbourBlock j(view_.neighbours, block);
       if constexpr (Traits::artificial_stress) {
-        if (block_has_tension(entries + block)) {
-          add_block<Wall, true>(entries + block);
+        if (block_has_tension(j)) {
+          add_block<Wall, true>(j);
           continue;
         }
       }
-      add_block<Wall, false>(entries + block);
+      add_block<Wall, false>(j);
     }
   }
 
@@ -137,10 +130,21 @@ class ClusterSweep {
     for (int l = 0; l < half; ++l) out[first_ + l] = static_cast<double>(lane[l]);
   }
 
-  template <int Values>
-  static SCARP_INLINE void prefetch(const Real* record) {
-    for (int v = 0; v < Values; v += static_cast<int>(64 / sizeof(Real)))
-      __builtin_prefetch(record + v);
+  /// Fetches the records of a block. Padding asks for one past the page, which is harmless and
+  /// cheaper than telling it from neighbours.
+  SCARP_INLINE void prefetch(std::int64_t block) const {
+    constexpr int line = 64 / sizeof(Real);
+    const std::uint16_t* place = view_.neighbours.place + block * entry_block;
+    const std::int64_t page = view_.neighbours.page[block];
+    for (int entry = 0; entry < entry_block; ++entry) {
+      const std::int64_t k = page + place[entry];
+      for (int value = 0; value < record_size; value += line)
+        __builtin_prefetch(view_.records + k * record_size + value);
+      if constexpr (Traits::artificial_stress) {
+        if (view_.tension != nullptr)
+          __builtin_prefetch(view_.tension_records + k * tension_record_size);
+      }
+    }
   }
 
   /// Four values of two records from slot `First` on.
@@ -151,14 +155,14 @@ class ClusterSweep {
   }
 
   template <bool Wall, bool Tension>
-  SCARP_INLINE void add_block(const std::int32_t* entries) {
+  SCARP_INLINE void add_block(const NeighbourBlock& j) {
     Pair pairs[stages];
     B factor[stages];  // of the artificial stress
     unrolled<stages>([&](auto s) SCARP_LAMBDA {
-      pairs[s] = geometry<Tension>(entries[2 * s], entries[2 * s + 1], factor[s]);
+      pairs[s] = geometry<Tension>(j.record[2 * s], j.record[2 * s + 1], factor[s]);
     });
     unrolled<stages>([&](auto s) SCARP_LAMBDA {
-      accumulate<Wall, Tension>(pairs[s], entries[2 * s], entries[2 * s + 1], factor[s]);
+      accumulate<Wall, Tension>(pairs[s], j.record[2 * s], j.record[2 * s + 1], factor[s]);
     });
   }
 
@@ -239,10 +243,10 @@ class ClusterSweep {
   }
 
   /// True if any entry of the block or any particle of the cluster is in tension.
-  SCARP_INLINE bool block_has_tension(const std::int32_t* entries) const {
+  SCARP_INLINE bool block_has_tension(const NeighbourBlock& j) const {
     if (view_.tension == nullptr || cluster_in_tension_) return cluster_in_tension_;
     unsigned any = 0;
-    for (int k = 0; k < entry_block; ++k) any |= view_.tension[entries[k]];
+    for (const std::int32_t k : j.record) any |= view_.tension[k];
     return any != 0;
   }
 
@@ -300,17 +304,16 @@ class ClusterSweep {
 };
 
 /// Sweeps clusters [begin, end): reads records and lists, writes the rates of their particles.
-/// Pre: entries are padded to `entry_block` per range and followed by two blocks more; records are
-/// followed by the far record. Errors: none, hot path. Accuracy: 64 eps x neighbours of the largest
-/// term (tested).
+/// Pre: lists are followed by two empty blocks, records by the far record. Errors: none, hot path.
+/// Accuracy: 64 eps x neighbours of the largest term (tested).
 template <class Arch, class Real, class Traits>
 void pair_sweep(const PairSweepView<Real>& view, std::int64_t begin, std::int64_t end) {
   const NeighbourView& lists = view.neighbours;
   for (std::int64_t cluster = begin; cluster < end; ++cluster) {
     ClusterSweep<Arch, Real, Traits> sweep(view, cluster);
-    sweep.template add_entries<false>(lists.soil_begin[cluster], lists.wall_begin[cluster]);
-    if (lists.wall_begin[cluster] != lists.end[cluster]) {
-      sweep.template add_entries<true>(lists.wall_begin[cluster], lists.end[cluster]);
+    sweep.template add_blocks<false>(lists.soil_begin[cluster], lists.wall_begin[cluster]);
+    if (lists.wall_begin[cluster] != lists.soil_begin[cluster + 1]) {
+      sweep.template add_blocks<true>(lists.wall_begin[cluster], lists.soil_begin[cluster + 1]);
     }
     sweep.store();
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "kernels/neighbour_block.hpp"
 #include "kernels/pair/pair_geometry.hpp"
 
 namespace scarp::kernels {
@@ -19,7 +20,6 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
   constexpr int half = cluster_size<Real, Arch>;
   constexpr int components = Dim == 2 ? 4 : 6;
   using Quad = RecordQuad<Real, Arch>;
-  const std::int32_t* entries = view.neighbours.entries;
   for (std::int64_t cluster = begin; cluster < end; ++cluster) {
     const std::int64_t first = view.first_wall + cluster * half;
     const Real* faces = view.faces + cluster * half * wall_record_size;
@@ -36,10 +36,9 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
     B weight_sum(Real(0)), height_sum(Real(0)), velocity_sums[Dim], sums[components];
     for (auto& sum : velocity_sums) sum = B(Real(0));
     for (auto& sum : sums) sum = B(Real(0));
-    const std::int64_t end_entry = view.neighbours.wall_begin[cluster];
-    for (std::int64_t e = view.neighbours.soil_begin[cluster]; e < end_entry; e += 2) {
-      const Real* p = view.records + std::int64_t{entries[e]} * record_size;
-      const Real* r = view.records + std::int64_t{entries[e + 1]} * record_size;
+    const auto add = [&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
+      const Real* p = view.records + std::int64_t{low} * record_size;
+      const Real* r = view.records + std::int64_t{high} * record_size;
       const Quad place(p + record_x, r + record_x),
           moving(p + record_velocity_x, r + record_velocity_x);
       const Quad stresses(p + record_stress, r + record_stress),
@@ -64,6 +63,11 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
         if constexpr (c <= zz) stress[c] = stress[c] - lithostatic;
         sums[c] = xsimd::fma(weight, stress[c], sums[c]);
       });
+    };
+    const std::int64_t end_block = view.neighbours.wall_begin[cluster];
+    for (std::int64_t block = view.neighbours.soil_begin[cluster]; block < end_block; ++block) {
+      const NeighbourBlock j(view.neighbours, block);
+      for (int k = 0; k < entry_block; k += 2) add(j.record[k], j.record[k + 1]);
     }
     alignas(64) Real weights[2 * half], heights[2 * half];
     weight_sum.store_aligned(weights);

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/particles/aligned_vector.hpp"
+#include "engine/neighbours/neighbour_blocks.hpp"
 #include "engine/scene/tension_factor_fit.hpp"
 #include "kernels/pair/pair_sweep_reference.hpp"
 #include "kernels/particle_view.hpp"
@@ -36,14 +36,13 @@ inline kernels::SmoothingView<double> smoothing_view(const kernels::SmoothingFor
 
 /// Owner of one neighbour list: every source within reach of any member of a cluster.
 struct PackedLists {
-  std::vector<std::int32_t> entries;
-  std::vector<std::int64_t> soil_begin, wall_begin, end;
+  NeighbourBlocks blocks;
+  std::vector<std::int64_t> soil_begin, wall_begin;
+  std::int32_t far_record = 0;
 
   kernels::NeighbourView view() const {
-    return {entries.data(), soil_begin.data(), wall_begin.data(), end.data()};
-  }
-  void pad(std::int32_t far_record) {
-    while (entries.size() % kernels::entry_block != 0) entries.push_back(far_record);
+    return {blocks.page().data(), blocks.place().data(), soil_begin.data(), wall_begin.data(),
+            far_record};
   }
 };
 
@@ -151,7 +150,6 @@ class PackedParticles {
   }
 
   void build_lists(const kernels::ReferenceParticles& p) {
-    const auto far_entry = static_cast<std::int32_t>(far_record_);
     const auto append = [&](PackedLists& lists, std::size_t first, std::size_t count, bool walls) {
       for (std::size_t j = 0; j < p.size(); ++j) {
         if (p.is_wall(j) != walls) continue;
@@ -165,27 +163,27 @@ class PackedParticles {
           // A little more than the support: a skin, which must change nothing.
           near |= squared < std::pow(2.05 * settings_.smoothing_length, 2);
         }
-        if (near) lists.entries.push_back(static_cast<std::int32_t>(slot_of(j)));
+        if (near) lists.blocks.add(static_cast<std::int32_t>(slot_of(j)));
       }
-      lists.pad(far_entry);
+      lists.blocks.end_list();
     };
     const auto size = static_cast<std::size_t>(cluster_size_);
     for (std::size_t i = 0; i < static_cast<std::size_t>(first_wall_); i += size) {
       const std::size_t count = std::min(size, soil_count_ - i);
-      lists_.soil_begin.push_back(std::ssize(lists_.entries));
+      lists_.soil_begin.push_back(lists_.blocks.size());
       append(lists_, i, count, false);
-      lists_.wall_begin.push_back(std::ssize(lists_.entries));
+      lists_.wall_begin.push_back(lists_.blocks.size());
       append(lists_, i, count, true);
-      lists_.end.push_back(std::ssize(lists_.entries));
     }
     for (std::size_t i = 0; i < wall_count_; i += size) {
-      wall_lists_.soil_begin.push_back(std::ssize(wall_lists_.entries));
+      wall_lists_.soil_begin.push_back(wall_lists_.blocks.size());
       append(wall_lists_, soil_count_ + i, std::min(size, wall_count_ - i), false);
-      wall_lists_.wall_begin.push_back(std::ssize(wall_lists_.entries));
-      wall_lists_.end.push_back(std::ssize(wall_lists_.entries));
+      wall_lists_.wall_begin.push_back(wall_lists_.blocks.size());
     }
     for (PackedLists* lists : {&lists_, &wall_lists_}) {
-      for (int k = 0; k < 2 * kernels::entry_block; ++k) lists->entries.push_back(far_entry);
+      lists->soil_begin.push_back(lists->blocks.size());
+      lists->blocks.append_empty(2);
+      lists->far_record = static_cast<std::int32_t>(far_record_);
     }
   }
 

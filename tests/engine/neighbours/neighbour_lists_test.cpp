@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <set>
+#include <vector>
 
 #include "engine/cells/cell_grid.hpp"
 #include "engine/cells/compact_clusters.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
 #include "engine/particles/particle_buffers.hpp"
+#include "kernels/neighbour_block.hpp"
 
 namespace scarp::test {
 namespace {
@@ -112,6 +115,43 @@ TEST(CellGridTest, OrderIsAPermutationSortedByKey) {
   EXPECT_EQ(std::set<std::int32_t>(order.begin(), order.end()).size(), 992u);
 }
 
+std::multiset<std::int32_t> records_in(const kernels::NeighbourView& view, std::int64_t begin,
+                                       std::int64_t end) {
+  std::multiset<std::int32_t> records;
+  for (std::int64_t block = begin; block < end; ++block) {
+    const kernels::NeighbourBlock j(view, block);
+    records.insert(std::begin(j.record), std::end(j.record));
+  }
+  return records;
+}
+
+TEST(NeighbourBlocksTest, HoldRecordsOfAnyPageAndFillUpWithTheFarOne) {
+  const std::int32_t page = kernels::page_size, far_record = 3 * page + 7;
+  // First and last record of a page, a page that comes back, one record on a page of its own.
+  const std::vector<std::int32_t> records{5, page - 1, page, 2 * page - 1, 0, 3 * page};
+  NeighbourBlocks blocks;
+  blocks.end_list();
+  EXPECT_EQ(blocks.size(), 0);
+  for (const std::int32_t record : records) blocks.add(record);
+  blocks.end_list();
+  ASSERT_EQ(blocks.size(), 4);
+  for (int k = 0; k < 16; ++k) blocks.add(3 * page);
+  blocks.end_list();
+  EXPECT_EQ(blocks.size(), 6);  // full blocks get no padding
+  blocks.append_empty(2);
+  const kernels::NeighbourView view{blocks.page().data(), blocks.place().data(), nullptr, nullptr,
+                                    far_record};
+  std::multiset<std::int32_t> expected(records.begin(), records.end());
+  for (int k = 0; k < 4 * kernels::entry_block - 6; ++k) expected.insert(far_record);
+  EXPECT_EQ(records_in(view, 0, 4), expected);
+  EXPECT_EQ(records_in(view, 4, 6).count(3 * page), 16u);
+  EXPECT_EQ(records_in(view, 6, 8).count(far_record), 16u);
+  const kernels::NeighbourBlock first(view, 0);
+  EXPECT_EQ(first.record[0], 5);
+  EXPECT_EQ(first.record[1], page - 1);
+  EXPECT_EQ(first.record[2], far_record);
+}
+
 TEST(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
   const Points soil = random_points(777, 5), walls = random_points(300, 6);
   CellGrid soil_grid, wall_grid;
@@ -136,12 +176,10 @@ TEST(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
     const kernels::NeighbourView view = lists.view();
     for (std::int64_t i = 0; i < 777; ++i) {
       const std::int64_t cluster = i / table.cluster_size;
-      const std::multiset<std::int32_t> near_soil(view.entries + view.soil_begin[cluster],
-                                                  view.entries + view.wall_begin[cluster]);
-      const std::multiset<std::int32_t> near_walls(view.entries + view.wall_begin[cluster],
-                                                   view.entries + view.end[cluster]);
-      EXPECT_EQ((view.wall_begin[cluster] - view.soil_begin[cluster]) % kernels::entry_block, 0);
-      EXPECT_EQ((view.end[cluster] - view.wall_begin[cluster]) % kernels::entry_block, 0);
+      const std::multiset<std::int32_t> near_soil =
+          records_in(view, view.soil_begin[cluster], view.wall_begin[cluster]);
+      const std::multiset<std::int32_t> near_walls =
+          records_in(view, view.wall_begin[cluster], view.soil_begin[cluster + 1]);
       const auto expect_listed = [&](const Points& others, std::int32_t count, std::int32_t first,
                                      const std::multiset<std::int32_t>& listed) {
         for (std::int32_t j = 0; j < count; ++j) {

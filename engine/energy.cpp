@@ -95,9 +95,9 @@ void sample_energy(State& state) {
     return power(state, acceleration);
   };
   const double total = power_of(true, true);
-  const double without_viscosity = power_of(false, true);
+  const double without_viscosity = state.kernels.viscosity ? power_of(false, true) : total;
   const double stress_only =
-      state.kernels.artificial_stress ? power_of(false, false) : without_viscosity;
+      state.records.has_tension_records() ? power_of(false, false) : without_viscosity;
   ForcePowers now;
   now.viscous = without_viscosity - total;
   now.artificial_stress = stress_only - without_viscosity;

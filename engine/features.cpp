@@ -56,7 +56,7 @@ std::vector<UsedFeature> used_features(const State& state) {
        "dummies are moved every step"},
       {"energy balance", state.scene.output.energy,
        bytes({Field::stress_work, Field::plastic_work, Field::diffusion_work}) +
-           ", two or three more force sweeps every 10 steps"},
+           ", one to three more force sweeps every 10 steps"},
   };
 }
 

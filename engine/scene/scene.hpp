@@ -162,7 +162,7 @@ struct Output {
   double frame_interval = 0.0;  ///< [s] of simulated time; 0: first and last frame of a stage
   double probe_interval = 0.0;  ///< [s]; 0: a hundredth of the stage
   bool frames = true;
-  bool energy = false;  ///< sum dissipation (costs a few per cent)
+  bool energy = false;  ///< sum dissipation (costs 5 to 20 %)
 };
 
 /// When `scarp run` keeps the state of a run in a file.

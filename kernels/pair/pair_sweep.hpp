@@ -5,6 +5,7 @@
 
 #include "kernels/neighbour_block.hpp"
 #include "kernels/pair/artificial_stress.hpp"
+#include "kernels/pair/cluster_lanes.hpp"
 #include "kernels/pair/continuity.hpp"
 #include "kernels/pair/momentum.hpp"
 #include "kernels/pair/pair_geometry.hpp"
@@ -44,17 +45,17 @@ class ClusterSweep {
 
  public:
   SCARP_INLINE ClusterSweep(const PairSweepView<Real>& view, std::int64_t cluster)
-      : view_(view), first_(cluster * half) {
-    load(i_.density, record_density);
-    load(i_.sound_speed, record_sound_speed);
-    load(i_.diffusivity, record_diffusivity);
+      : view_(view), cluster_{cluster * half} {
+    i_.density = own(record_density);
+    i_.sound_speed = own(record_sound_speed);
+    i_.diffusivity = own(record_diffusivity);
     for (int a = 0; a < dim; ++a) {
-      load(i_.position[a], record_x + a);
-      load(i_.velocity[a], record_velocity_x + a);
+      i_.position[a] = own(record_x + a);
+      i_.velocity[a] = own(record_velocity_x + a);
     }
     if constexpr (Traits::artificial_stress) {
       for (int l = 0; l < half; ++l)
-        cluster_in_tension_ |= view.tension != nullptr && view.tension[first_ + l] != 0;
+        cluster_in_tension_ |= view.tension != nullptr && view.tension[cluster_.first + l] != 0;
     }
   }
 
@@ -91,44 +92,21 @@ class ClusterSweep {
     }
     if constexpr (Traits::diffusion) {
       for (int c = 0; c < StressDiffusion<B, dim>::components; ++c) {
-        B stress_i;
-        load(stress_i, record_stress + c);
-        put(view_.diffusion_rate[c],
-            xsimd::fms(stress_i, fold(diffusion_.weight_sum), fold(diffusion_.weighted_stress[c])),
-            true);
+        cluster_.put(view_.diffusion_rate[c],
+                     xsimd::fms(own(record_stress + c), cluster_.fold(diffusion_.weight_sum),
+                                cluster_.fold(diffusion_.weighted_stress[c])));
       }
       put(view_.diffusion_slope, diffusion_.slope);
     }
     if constexpr (Traits::force) store_acceleration();
-    if constexpr (Traits::viscosity) put(view_.approach_rate, -viscosity_.lowest_mu, false, true);
+    if constexpr (Traits::viscosity)
+      cluster_.put(view_.approach_rate, cluster_.fold(-viscosity_.lowest_mu, true));
   }
 
  private:
-  SCARP_INLINE void load(B& value, int slot) const {
-    alignas(64) Real lane[lanes<Real, Arch>];
-    for (int l = 0; l < half; ++l)
-      lane[l] = lane[l + half] = view_.records[(first_ + l) * record_size + slot];
-    value = B::load_aligned(lane);
-  }
-
-  /// Sums (or takes the maximum of) both halves, into every lane.
-  SCARP_INLINE B fold(const B& value, bool maximum = false) const {
-    alignas(64) Real lane[lanes<Real, Arch>];
-    value.store_aligned(lane);
-    for (int l = 0; l < half; ++l) {
-      const Real low = lane[l], high = lane[l + half];
-      lane[l] = lane[l + half] = maximum ? (low > high ? low : high) : low + high;
-    }
-    return B::load_aligned(lane);
-  }
-
-  SCARP_INLINE void put(double* out, const B& value, bool folded = false,
-                        bool maximum = false) const {
-    if (out == nullptr) return;
-    alignas(64) Real lane[lanes<Real, Arch>];
-    (folded ? value : fold(value, maximum)).store_aligned(lane);
-    for (int l = 0; l < half; ++l) out[first_ + l] = static_cast<double>(lane[l]);
-  }
+  /// One value of each of the cluster's own records.
+  SCARP_INLINE B own(int slot) const { return cluster_.load(view_.records, record_size, slot); }
+  SCARP_INLINE void put(double* out, const B& sum) const { cluster_.put(out, cluster_.fold(sum)); }
 
   /// Fetches the records of a block. Padding asks for one past the page, which is harmless and
   /// cheaper than telling it from neighbours.
@@ -252,20 +230,22 @@ class ClusterSweep {
 
   SCARP_INLINE void store_acceleration() const {
     B stress_i[6], tension_i[6];
-    for (int c = 0; c < (dim == 2 ? 4 : 6); ++c) load(stress_i[c], record_stress + c);
+    for (int c = 0; c < (dim == 2 ? 4 : 6); ++c) stress_i[c] = own(record_stress + c);
     const bool tension = Traits::artificial_stress && view_.tension != nullptr;
     if (tension) {
-      for (int c = 0; c < (dim == 2 ? 4 : 6); ++c) load_tension(tension_i[c], c);
+      for (int c = 0; c < (dim == 2 ? 4 : 6); ++c)
+        tension_i[c] = cluster_.load(view_.tension_records, tension_record_size, c);
     }
     // Lanes of padding have density 1, so the quotient is finite.
     const B scale = B(Real(1)) / i_.density;
     B sums[dim], weighted[dim];
-    for (int a = 0; a < dim; ++a) sums[a] = fold(momentum_.gradient_sum[a]);
+    for (int a = 0; a < dim; ++a) sums[a] = cluster_.fold(momentum_.gradient_sum[a]);
     if constexpr (Traits::artificial_stress) {
-      for (int a = 0; a < dim; ++a) weighted[a] = fold(artificial_stress_.weighted_gradient_sum[a]);
+      for (int a = 0; a < dim; ++a)
+        weighted[a] = cluster_.fold(artificial_stress_.weighted_gradient_sum[a]);
     }
     for (int a = 0; a < dim; ++a) {
-      B total = fold(momentum_.force[a]);
+      B total = cluster_.fold(momentum_.force[a]);
       for (int b = 0; b < dim; ++b) {
         total = xsimd::fma(stress_i[tensor_index[a][b]], sums[b], total);
         if constexpr (Traits::artificial_stress) {
@@ -273,17 +253,8 @@ class ClusterSweep {
           if (tension) total = xsimd::fma(tension_i[tensor_index[a][b]], weighted[b], total);
         }
       }
-      put(view_.acceleration[a], total * scale, true);
+      cluster_.put(view_.acceleration[a], total * scale);
     }
-  }
-
-  SCARP_INLINE void load_tension(B& value, int component) const {
-    alignas(64) Real lane[lanes<Real, Arch>];
-    for (int l = 0; l < half; ++l) {
-      lane[l] = lane[l + half] =
-          view_.tension_records[(first_ + l) * tension_record_size + component];
-    }
-    value = B::load_aligned(lane);
   }
 
   struct Nothing {};
@@ -291,7 +262,7 @@ class ClusterSweep {
   using If = std::conditional_t<Used, T, Nothing>;
 
   const PairSweepView<Real>& view_;
-  std::int64_t first_;
+  ClusterLanes<Real, Arch> cluster_;
   bool cluster_in_tension_ = false;
   ParticleLanes<B> i_;
   If<Traits::continuity, Continuity<B>> continuity_;

@@ -12,8 +12,9 @@ namespace {
 
 using kernels::SymTensor;
 
-/// Powers are sampled every so many steps: each sample costs two force sweeps, with artificial
-/// stress three, and where a wall moves those of `wall_reactions` besides.
+/// Powers are sampled every so many steps: each sample costs a force sweep, one more with
+/// viscosity, one more once soil has been in tension, and where a wall moves those of
+/// `wall_reactions`.
 constexpr std::uint64_t steps_per_sample = 10;
 
 /// Stored energies and per-mass work fields summed over the particles; `plastic` and `diffusion`

@@ -11,7 +11,7 @@
 #include "engine/integrate/lattice_sums.hpp"
 #include "engine/parallel.hpp"
 #include "engine/particles/generate.hpp"
-#include "engine/scene/smoothing_of.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/state.hpp"
 #include "kernels/constitutive/list.hpp"
 #include "kernels/smoothing/list.hpp"

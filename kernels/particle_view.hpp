@@ -32,6 +32,8 @@ enum RecordSlot {
   record_size
 };
 static_assert(record_size == 16);
+static_assert(record_x % 4 == 0 && record_velocity_x % 4 == 0 && record_stress % 4 == 0,
+              "vectors load four values from aligned places");
 
 /// In single precision a record's position is a 32-bit integer, its bits in place of the float: a
 /// multiple of this length in units of h, so that differences of positions are exact and know no
@@ -111,8 +113,8 @@ struct PairConstants {
   TensionFactorView<Real> tension_factor;
 };
 
-/// Input and output of a pair sweep. Outputs are SoA by particle, SI; a null pointer leaves one
-/// out.
+/// Input and output of a pair sweep. Records start on a cache line. Outputs are SoA by particle,
+/// SI; a null pointer leaves one out.
 template <class Real>
 struct PairSweepView {
   const Real* records;          ///< soil, dummies, mirror images, far record; x record_size
@@ -194,7 +196,8 @@ struct CandidateView {
 };
 
 /// Input and output of the wall sweep: velocity and stress of dummy particles from the soil near
-/// them. The records of the dummies come with the velocity of their wall.
+/// them. The records of the dummies come with the velocity of their wall; records and faces start
+/// on a cache line.
 template <class Real>
 struct WallSweepView {
   const Real* records;

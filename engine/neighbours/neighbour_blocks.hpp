@@ -31,7 +31,7 @@ class NeighbourBlocks {
   /// Appends blocks without neighbours.
   void append_empty(std::int64_t blocks);
   void reserve(std::int64_t blocks);
-  /// Makes `blocks` blocks, to be filled by `copy`.
+  /// Makes `blocks` blocks, to be filled by `copy`, and room for two more.
   void resize(std::int64_t blocks);
   void copy(const NeighbourBlocks& from, std::int64_t to_block);
 

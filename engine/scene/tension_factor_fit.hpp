@@ -14,7 +14,8 @@ struct TensionFactorFit {
 
 /// F^n, F = W(q)/W(dx), as `tension_factor` evaluates it: least squares of the error as defined
 /// above. Equation: E27. Accuracy (tested): 2e-7 for Yang & Liu with n = 2.55 at h = 1.2 dx; 0.6 %
-/// and better for every function with n up to 4 at h >= dx. Pre: 0 < dx_over_h < 2, exponent > 0.
+/// and better for every function with n from 1 to 4 at h >= dx. Pre: 0 < dx_over_h < 2, exponent >
+/// 0.
 TensionFactorFit fit_tension_factor(const kernels::SmoothingForm& form, double dx_over_h,
                                     double exponent);
 

@@ -8,7 +8,7 @@
 #include "engine/scene/nearest_name.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/scene_problem.hpp"
-#include "engine/scene/smoothing_of.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/scene/validate_parts.hpp"
 #include "kernels/constitutive/list.hpp"
 
@@ -29,11 +29,12 @@ void check_numerics(const Numerics& n) {
   inside(n.artificial_stress_exponent, 0.0, 20.0, key("artificial_stress_exponent"));
   if (n.artificial_stress > 0.0) {
     const double error = tension_factor_of(n).error;
-    rule(error<0.01, key("artificial_stress_exponent"), n.artificial_stress_exponent> 0.0
-             ? fmt::format("{}", n.artificial_stress_exponent)
-             : "\"auto\"",
-         fmt::format("F^n rises so steeply that the sweep's polynomials miss it by {:.1f} %, more "
-                     "than 1 %. Try an exponent of 4 or less.",
+    const bool fits = error < 0.01;
+    const bool automatic = n.artificial_stress_exponent == 0.0;
+    rule(fits, key("artificial_stress_exponent"),
+         automatic ? "\"auto\"" : fmt::format("{}", n.artificial_stress_exponent),
+         fmt::format("the sweep's polynomials miss F^n by {:.1f} %, more than 1 %. Try an exponent "
+                     "between 0.5 and 4.",
                      100.0 * error));
   }
   inside(n.stress_diffusion, 0.0, 1.0, key("stress_diffusion"));

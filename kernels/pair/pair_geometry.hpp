@@ -51,13 +51,15 @@ template <class B>
 struct TruncatedPowers {
   B outer, outer_squared, inner, inner_squared;
 
-  SCARP_INLINE explicit TruncatedPowers(const B& q) {
-    using Real = typename B::value_type;
-    outer = xsimd::max(B(Real(2)) - q, B(Real(0)));
-    inner = xsimd::max(B(Real(1)) - q, B(Real(0)));
-    outer_squared = outer * outer;
-    inner_squared = inner * inner;
-  }
+  SCARP_INLINE explicit TruncatedPowers(const B& q)
+      : outer(above_zero(B(Real(2)) - q)),
+        outer_squared(outer * outer),
+        inner(above_zero(B(Real(1)) - q)),
+        inner_squared(inner * inner) {}
+
+ private:
+  using Real = typename B::value_type;
+  static SCARP_INLINE B above_zero(const B& x) { return xsimd::max(x, B(Real(0))); }
 };
 
 /// c[0] + c[1] x + ... in Horner's scheme.

@@ -147,17 +147,17 @@ class ClusterSweep {
   template <bool Tension>
   SCARP_INLINE Pair geometry(std::int32_t low, std::int32_t high,
                              [[maybe_unused]] B& factor) const {
-    const Quad place = quad<record_x>(low, high);
+    const Quad where = quad<record_x>(low, high);
     Pair pair;
     B squared(closest<Real>);
     unrolled<dim>([&](auto a) SCARP_LAMBDA {
-      pair.offset[a] = position_difference<Arch>(i_.position[a], place(a));
+      pair.offset[a] = position_difference<Arch>(i_.position[a], where(a));
       squared = xsimd::fma(pair.offset[a], pair.offset[a], squared);
     });
     pair.distance_squared = squared;
     const B inverse_distance = inverse_sqrt(squared);
     const TruncatedPowers<B> powers(squared * inverse_distance);
-    pair.gradient = place(constant<record_volume - record_x>) *
+    pair.gradient = where(constant<record_volume - record_x>) *
                     smoothing_slope(powers, view_.constants.smoothing) * inverse_distance;
     if constexpr (Tension) factor = tension_factor(powers, view_.constants.tension_factor);
     if constexpr (Traits::viscosity) {

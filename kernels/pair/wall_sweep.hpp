@@ -39,13 +39,13 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
     const auto add = [&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
       const Real* p = view.records + std::int64_t{low} * record_size;
       const Real* r = view.records + std::int64_t{high} * record_size;
-      const Quad place(p + record_x, r + record_x),
+      const Quad where(p + record_x, r + record_x),
           moving(p + record_velocity_x, r + record_velocity_x);
       const Quad stresses(p + record_stress, r + record_stress),
           more(p + record_stress + 4, r + record_stress + 4);
       B squared(Real(0)), fall(Real(0)), depth(Real(0));
       unrolled<Dim>([&](auto a) SCARP_LAMBDA {
-        const B offset = position[a] - place(a);
+        const B offset = position[a] - where(a);
         squared = xsimd::fma(offset, offset, squared);
         fall = xsimd::fma(offset, B(view.gravity[a]), fall);
         depth = xsimd::fma(offset, normal[a], depth);

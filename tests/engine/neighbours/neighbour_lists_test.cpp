@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "engine/cells/cell_grid.hpp"
@@ -152,7 +153,20 @@ TEST(NeighbourBlocksTest, HoldRecordsOfAnyPageAndFillUpWithTheFarOne) {
   EXPECT_EQ(first.record[2], far_record);
 }
 
-TEST(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
+/// Blocks that are not full.
+std::int64_t padded_blocks(const kernels::NeighbourView& view, std::int64_t begin,
+                           std::int64_t end) {
+  std::int64_t padded = 0;
+  for (std::int64_t block = begin; block < end; ++block)
+    padded += view.place[(block + 1) * kernels::entry_block - 1] == kernels::no_neighbour;
+  return padded;
+}
+
+/// Lists of soil whose records begin at the first number, near dummies whose begin at the second.
+class NeighbourListsTest : public testing::TestWithParam<std::pair<std::int32_t, std::int32_t>> {};
+
+TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
+  const auto [first_soil, first_wall] = GetParam();
   const Points soil = random_points(777, 5), walls = random_points(300, 6);
   CellGrid soil_grid, wall_grid;
   const SlotRange soil_ranges[] = {{0, 400}, {400, 777}};
@@ -166,9 +180,9 @@ TEST(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
     input.points = soil.span();
     input.ranges = soil_ranges;
     input.slots = 784;
-    input.soil = {&soil_grid, soil.span(), 0};
-    input.walls = {&wall_grid, walls.span(), 784};
-    input.far_record = 2000;
+    input.soil = {&soil_grid, soil.span(), first_soil};
+    input.walls = {&wall_grid, walls.span(), first_wall};
+    input.far_record = 3 * kernels::page_size;
     input.reach = reach;
     NeighbourLists lists;
     input.cluster_size = table.cluster_size;
@@ -191,11 +205,18 @@ TEST(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
           }
         }
       };
-      expect_listed(soil, 777, 0, near_soil);
-      expect_listed(walls, 300, 784, near_walls);
+      expect_listed(soil, 777, first_soil, near_soil);
+      expect_listed(walls, 300, first_wall, near_walls);
+      // Records of a page stand together, and both sets lie in two pages at most.
+      EXPECT_LE(padded_blocks(view, view.soil_begin[cluster], view.wall_begin[cluster]), 2);
+      EXPECT_LE(padded_blocks(view, view.wall_begin[cluster], view.soil_begin[cluster + 1]), 2);
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(WithinAPageAndAcross, NeighbourListsTest,
+                         testing::Values(std::pair{0, 784}, std::pair{2 * kernels::page_size - 400,
+                                                                      kernels::page_size - 150}));
 
 }  // namespace
 }  // namespace scarp::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Neighbour lists in blocks of two bytes an entry.
+/// Neighbour lists in blocks, 20 bytes for eight entries.
 #include "engine/neighbours/neighbour_blocks.hpp"
 
 #include <algorithm>

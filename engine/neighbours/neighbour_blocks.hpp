@@ -16,14 +16,18 @@ inline std::int32_t page_of(std::int64_t record) {
   return static_cast<std::int32_t>(record / kernels::page_size * kernels::page_size);
 }
 
+/// Whether a record lies in the page that begins with record `page_begin`.
+inline bool in_page(std::int32_t record, std::int32_t page_begin) {
+  return record >= page_begin && record - page_begin < kernels::page_size;
+}
+
 /// Blocks of records as kernels::NeighbourView describes them, 20 bytes for eight records.
 class NeighbourBlocks {
  public:
   /// Adds a neighbour to the list that `end_list` will end. A change of the page fills up the block
   /// at hand, so records of a page should follow each other.
   void add(std::int32_t record) {
-    if (record < page_begin_ || record - page_begin_ >= kernels::page_size)
-      turn_to(page_of(record));
+    if (!in_page(record, page_begin_)) turn_to(page_of(record));
     place_.push_back(static_cast<std::uint16_t>(record - page_begin_));
   }
   /// Fills up the last block.

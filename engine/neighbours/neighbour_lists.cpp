@@ -52,9 +52,9 @@ struct Candidates {
     std::size_t used = 0, page = 0;
     for (const std::int32_t slot : slots) {
       const auto record = static_cast<std::int32_t>(first_record + slot);
-      if (used == 0 || !pages_[page].holds(record)) {
+      if (used == 0 || !in_page(record, pages_[page].begin)) {
         page = 0;
-        while (page < used && !pages_[page].holds(record)) ++page;
+        while (page < used && !in_page(record, pages_[page].begin)) ++page;
         if (page == used) {
           if (used == pages_.size()) pages_.emplace_back();
           pages_[used++] = {page_of(record), std::move(pages_[page].slots)};
@@ -71,9 +71,6 @@ struct Candidates {
   struct Page {
     std::int32_t begin = 0;
     std::vector<std::int32_t> slots;
-    bool holds(std::int32_t record) const {
-      return record >= begin && record - begin < kernels::page_size;
-    }
   };
   std::vector<Page> pages_;  ///< scratch
 };

@@ -100,9 +100,10 @@ int run_command(Arguments& arguments) {
   CaseOptions& options = arguments.options;
   options.form = arguments.short_form ? Form::short_form : arguments.full ? Form::full : Form::main;
   if (!arguments.spacing.empty()) {
-    const bool bare = arguments.spacing.find_first_not_of("0123456789.+-eE") == std::string::npos;
+    const bool bare = arguments.spacing.find_first_not_of("0123456789.,+-eE") == std::string::npos;
     options.spacing =
         parse_quantity(bare ? arguments.spacing + " m" : arguments.spacing, kernels::Unit::length);
+    if (!(options.spacing > 0.0)) throw UnitError("it is not above 0. Try \"0.5 m\".");
   }
   cli::catch_interrupts();
   SetForecast forecast(options.quiet);

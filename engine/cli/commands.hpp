@@ -85,6 +85,10 @@ Scene load_scene(const SceneArguments& arguments);
 double option_value(const std::string& option, const std::string& text, const char* bare_unit,
                     kernels::Unit unit);
 
+/// The same, above 0. Errors: UsageError.
+double positive_option(const std::string& option, const std::string& text, const char* bare_unit,
+                       kernels::Unit unit);
+
 /// All bytes of a file; empty if it cannot be read.
 std::string read_text(const std::filesystem::path& path);
 

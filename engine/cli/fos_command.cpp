@@ -25,21 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double positive_option(const std::string& option, const std::string& text, const char* bare_unit,
-                       kernels::Unit unit) {
-  if (text.empty()) return 0.0;
-  const double value = option_value(option, text, bare_unit, unit);
-  if (!(value > 0.0)) {
-    throw UsageError(
-        fmt::format("{}: '{}' is not above 0. Try \"10 {}\".", option, text, bare_unit));
-  }
-  return value;
-}
-
 CriterionOptions criterion_options(const FosArguments& arguments, const Scene& scene) {
   CriterionOptions options;
-  options.height = positive_option("--height", arguments.height, "m", kernels::Unit::length);
-  options.window = positive_option("--window", arguments.window, "s", kernels::Unit::time);
+  if (!arguments.height.empty())
+    options.height = positive_option("--height", arguments.height, "m", kernels::Unit::length);
+  if (!arguments.window.empty())
+    options.window = positive_option("--window", arguments.window, "s", kernels::Unit::time);
   if (!arguments.ramp.empty()) {
     options.ramp = option_value("--ramp", arguments.ramp, "s", kernels::Unit::time);
     if (!(options.ramp >= 0.0)) throw UsageError("--ramp: it is below 0. Try \"0 s\": at once.");

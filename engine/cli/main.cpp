@@ -48,6 +48,17 @@ void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
                      "Replace the particle spacing, e.g. \"0.5 m\"");
 }
 
+/// An empty value would pass for an option that was not given.
+void refuse_empty_values(CLI::App& app) {
+  const CLI::Validator not_empty(
+      [](const std::string& value) { return value.empty() ? "it is empty" : ""; }, "");
+  for (CLI::App* command : app.get_subcommands({})) {
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_items_expected_max() > 0) option->check(not_empty);
+    }
+  }
+}
+
 CLI::App* add_resume_command(CLI::App& app, ResumeArguments& resume) {
   CLI::App* command = app.add_subcommand(
       "resume", "Go on with a run that was stopped or killed, from its last checkpoint");
@@ -168,6 +179,7 @@ int run_program(int argc, char** argv) {
       ->required()
       ->check(CLI::ExistingDirectory);
 
+  refuse_empty_values(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

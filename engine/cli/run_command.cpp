@@ -21,7 +21,7 @@
 namespace scarp::cli {
 double option_value(const std::string& option, const std::string& text, const char* bare_unit,
                     kernels::Unit unit) {
-  const bool bare = text.find_first_not_of("0123456789.+-eE") == std::string::npos;
+  const bool bare = text.find_first_not_of("0123456789.,+-eE") == std::string::npos;
   try {
     return parse_quantity(bare ? text + " " + bare_unit : text, unit);
   } catch (const UnitError& error) {
@@ -29,12 +29,19 @@ double option_value(const std::string& option, const std::string& text, const ch
   }
 }
 
+double positive_option(const std::string& option, const std::string& text, const char* bare_unit,
+                       kernels::Unit unit) {
+  const double value = option_value(option, text, bare_unit, unit);
+  if (value > 0.0) return value;
+  throw UsageError(fmt::format("{}: '{}' is not above 0. Try \"10 {}\".", option, text, bare_unit));
+}
+
 namespace {
 
 SceneOverrides overrides_of(const SceneArguments& arguments) {
   SceneOverrides overrides{arguments.preset, 0.0};
   if (!arguments.spacing.empty()) {
-    overrides.spacing = option_value("--spacing", arguments.spacing, "m", kernels::Unit::length);
+    overrides.spacing = positive_option("--spacing", arguments.spacing, "m", kernels::Unit::length);
   }
   return overrides;
 }

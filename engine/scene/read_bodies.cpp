@@ -97,7 +97,7 @@ HeightField read_height_field(const Value& value, int dimension) {
 
 }  // namespace
 
-Body read_body(const Value& item, int dimension, const std::vector<Material>& materials) {
+Body read_body(const Value& item, int dimension, const std::vector<std::string>& materials) {
   const Keys shapes = {"polygon", "box", "cylinder", "height_field"};
   const Table table = item.table({"material", "polygon", "extrude", "box", "cylinder",
                                   "height_field", "velocity", "velocity_field"});
@@ -105,11 +105,9 @@ Body read_body(const Value& item, int dimension, const std::vector<Material>& ma
   body.line = item.line();
   const Value material = table.require("material", "\"clay\"");
   const std::string name = material.text();
-  std::vector<std::string> names;
-  for (const Material& known : materials) names.push_back(known.name);
-  while (body.material < names.size() && names[body.material] != name) ++body.material;
-  if (body.material == names.size()) {
-    material.fail(fmt::format("no [[material]] has this name. {}", did_you_mean(name, names)));
+  while (body.material < materials.size() && materials[body.material] != name) ++body.material;
+  if (body.material == materials.size()) {
+    material.fail(fmt::format("no [[material]] has this name. {}", did_you_mean(name, materials)));
   }
   const std::string_view shape = table.require_one_of(shapes);
   const auto extrude = table.find("extrude");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/scene/not_supported.hpp"
 #include "engine/scene/read_parts.hpp"
 #include "engine/scene/units.hpp"
 #include "kernels/constitutive/list.hpp"
@@ -19,7 +20,10 @@ const kernels::ModelInfo& read_model(const Value& item) {
   if (index >= 0) return kernels::models[static_cast<std::size_t>(index)];
   std::vector<std::string> names;
   for (const auto& info : kernels::models) names.emplace_back(info.name);
-  model->fail(fmt::format("there is no such model. {}", did_you_mean(model->text(), names)));
+  const std::string_view missing = not_supported("model", model->text());
+  model->fail(fmt::format("there is no such model. {}", missing.empty()
+                                                            ? did_you_mean(model->text(), names)
+                                                            : std::string(missing)));
 }
 
 std::string example_of(const kernels::ParameterSpec& spec) {
@@ -29,21 +33,47 @@ std::string example_of(const kernels::ParameterSpec& spec) {
   return fmt::format("\"... {}\"", units.substr(0, units.find(',')));
 }
 
+/// The density of soil that weighs this much on Earth; elsewhere the weight is not what is known of
+/// a soil.
+double density_of(const Value& unit_weight, const Vec3& gravity) {
+  constexpr double standard_gravity = 9.80665, least = 9.7, most = 10.0;  // [m/s2]
+  const double weight = unit_weight.number(kernels::Unit::unit_weight);
+  if (!(weight > 0.0)) unit_weight.fail("it is not positive. Try \"18 kN/m3\".");
+  const double g = std::hypot(gravity[0], gravity[1], gravity[2]);
+  if (g < least || g > most) {
+    unit_weight.fail(
+        fmt::format("the scene's gravity is {:.4g} m/s2, not that of the Earth, so a weight is no "
+                    "density. Try density = \"{:.4g} kg/m3\", which weighs this on Earth.",
+                    g, weight / standard_gravity));
+  }
+  return weight / g;
+}
+
+double read_density(const Table& material, const Vec3& gravity) {
+  const auto unit_weight = material.find("unit_weight");
+  if (!unit_weight) {
+    return material.require("density", "\"2000 kg/m3\" (or unit_weight = \"18 kN/m3\")")
+        .number(kernels::Unit::density);
+  }
+  material.require_one_of({"density", "unit_weight"});
+  return density_of(*unit_weight, gravity);
+}
+
 }  // namespace
 
-Material read_material(const Value& item, int dimension) {
+Material read_material(const Value& item, const Scene& scene) {
   if (!item.is_table()) item.table({"name"});
   const kernels::ModelInfo& model = read_model(item);
-  Keys known = {"name", "model", "density"};
+  Keys known = {"name", "model", "density", "unit_weight"};
   for (const auto& spec : model.parameters) known.push_back(spec.name);
   const Table table = item.table(known);
 
   Material material;
   material.name = table.require("name", "\"clay\"").text();
   material.model = model.name;
-  material.density = table.require("density", "2000.0").number(kernels::Unit::density);
+  material.density = read_density(table, scene.gravity);
   for (const auto& spec : model.parameters) {
-    const double fallback = dimension == 3 ? spec.default_value_3d : spec.default_value;
+    const double fallback = scene.dimension == 3 ? spec.default_value_3d : spec.default_value;
     const auto value = table.find(spec.name);
     if (!value && std::isfinite(fallback)) {
       material.parameters.push_back(fallback);

@@ -9,9 +9,10 @@ namespace scarp::input {
 
 /// Rows of [numerics] on top of the preset.
 void read_numerics(const Value& section, Numerics& numerics);
-Material read_material(const Value& item, int dimension);
-/// `materials` resolves the body's material name.
-Body read_body(const Value& item, int dimension, const std::vector<Material>& materials);
+/// `scene` has its dimension and gravity.
+Material read_material(const Value& item, const Scene& scene);
+/// `materials`: their names, in order.
+Body read_body(const Value& item, int dimension, const std::vector<std::string>& materials);
 inline constexpr std::string_view wall_shapes[] = {"line", "rectangle", "plane", "box"};
 Wall read_wall(const Value& item, int dimension);
 void read_initial(const Value& section, Scene& scene);

@@ -9,6 +9,7 @@
 
 #include "engine/scene/read_parts.hpp"
 #include "engine/scene/scene_problem.hpp"
+#include "engine/scene/text_limits.hpp"
 
 namespace scarp {
 namespace {
@@ -17,66 +18,54 @@ using input::Table;
 using input::Value;
 using kernels::Unit;
 
-constexpr std::size_t largest_file = std::size_t{16} << 20;
+/// "cohesion = 7,5": what the parser says about it names no comma.
+bool has_decimal_comma(std::string_view line) {
+  const auto digit = [&line](std::size_t at) {
+    return at < line.size() && line[at] >= '0' && line[at] <= '9';
+  };
+  const std::size_t equals = line.find('='), comma = line.find(',');
+  if (equals == std::string_view::npos || comma == std::string_view::npos || comma < equals)
+    return false;
+  const bool in_table = line.substr(equals).find_first_of("[{\"'#") < comma - equals;
+  return !in_table && digit(comma - 1) && digit(comma + 1);
+}
 
-/// Keys are ASCII, so a non-ASCII byte belongs in text or a comment; elsewhere it would reach a
-/// part of the parser's letter tables that is undefined for it.
-void check_bytes(std::string_view text, const std::string& name) {
-  enum class In { plain, comment, basic, literal } in = In::plain;
-  bool tripled = false;  // inside """ or '''
-  std::size_t line = 1;
-  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size(); ++i) {
-    const char letter = text[i];
-    const char quote = in == In::basic ? '"' : '\'';
-    if (letter == '\n') {
-      ++line;
-      if (!tripled) in = In::plain;
-    } else if (in == In::plain) {
-      if (static_cast<unsigned char>(letter) >= 0x80) {
-        throw SceneError(
-            fmt::format("{}:{}: a letter outside ASCII stands outside of quotes. Try ASCII for "
-                        "keys, and quotes "
-                        "around text.",
-                        name, line));
-      }
-      if (letter == '#') in = In::comment;
-      if (letter != '"' && letter != '\'') continue;
-      in = letter == '"' ? In::basic : In::literal;
-      tripled = text.substr(i, 3) == std::string(3, letter);
-      if (tripled) i += 2;
-    } else if (in == In::basic && letter == '\\') {
-      if (i + 1 < text.size() && text[i + 1] != '\n') ++i;
-    } else if (in != In::comment && letter == quote) {
-      if (tripled && text.substr(i, 3) != std::string(3, quote)) continue;
-      if (tripled) i += 2;
-      while (tripled && text.substr(i + 1, 1) == std::string(1, quote))
-        ++i;  // text may end in quotes
-      tripled = false;
-      in = In::plain;
-    }
-  }
+std::string_view line_of_text(std::string_view text, std::size_t number) {
+  for (std::size_t line = 1; line < number && !text.empty(); ++line)
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
 }
 
 toml::table parse(std::string_view text, const std::string& name) {
-  check_bytes(text, name);
+  input::check_text(text, name);
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
+    const std::size_t line = std::max<std::size_t>(1, error.source().begin.line);
+    if (has_decimal_comma(line_of_text(text, line))) {
+      throw SceneError(
+          fmt::format("{}:{}: a comma stands in a number. Try a decimal point: 1.5 instead of 1,5.",
+                      name, line));
+    }
     const std::string why = input::one_line(error.description(), 300);
-    throw SceneError(
-        fmt::format("{}:{}: this is not TOML: {}. Try to compare the line with SCENE.md.", name,
-                    std::max<std::size_t>(1, error.source().begin.line), why));
+    throw SceneError(fmt::format(
+        "{}:{}: this is not TOML: {}. Try to compare the line with SCENE.md.", name, line, why));
   }
 }
 
-/// Items of [[key]]; none if it is absent.
-std::vector<Value> list_of(const Table& root, std::string_view key) {
+/// Items of [[key]]; none if it is absent. What each of them costs depends on how many others there
+/// are, so more than any scene needs are refused.
+std::vector<Value> list_of(const Table& root, std::string_view key, std::size_t most = 10'000) {
   const auto value = root.find(key);
   if (!value) return {};
   if (value->is_table()) {
     value->fail(fmt::format("there can be several. Try [[{}]] with double brackets.", key));
   }
-  return value->items();
+  std::vector<Value> items = value->items();
+  if (items.size() > most) {
+    items[most].fail(fmt::format("there are {}, more than {}. Try fewer.", items.size(), most));
+  }
+  return items;
 }
 
 Scene read_document(const Value& document, const std::string& name,
@@ -110,15 +99,18 @@ Scene read_document(const Value& document, const std::string& name,
     input::read_numerics(*numerics, scene.numerics);
   }
 
-  for (const Value& item : list_of(root, "material")) {
-    scene.materials.push_back(input::read_material(item, d));
+  constexpr std::size_t most_kinds = 1000;
+  std::vector<std::string> names;
+  for (const Value& item : list_of(root, "material", most_kinds)) {
+    scene.materials.push_back(input::read_material(item, scene));
+    names.push_back(scene.materials.back().name);
   }
   for (const Value& item : list_of(root, "body")) {
-    scene.bodies.push_back(input::read_body(item, d, scene.materials));
+    scene.bodies.push_back(input::read_body(item, d, names));
   }
   for (const Value& item : list_of(root, "wall")) scene.walls.push_back(input::read_wall(item, d));
   if (const auto initial = root.find("initial")) input::read_initial(*initial, scene);
-  scene.stages = input::read_stages(list_of(root, "stage"));
+  scene.stages = input::read_stages(list_of(root, "stage", most_kinds));
   for (const Value& item : list_of(root, "probe")) {
     scene.probes.push_back(input::read_probe(item, d));
   }
@@ -173,6 +165,10 @@ void locate_facet(const SceneProblem& problem, const toml::table& document,
 
 Scene read_scene_text(std::string_view text, const std::string& name,
                       const SceneOverrides& overrides) {
+  if (text.size() > input::largest_file) {
+    throw SceneError(fmt::format("{}:1: the text is larger than {} MiB. Try a scene.", name,
+                                 input::largest_file >> 20));
+  }
   const toml::table document = parse(text, name);
   Scene scene = read_document(Value(document, "", name), name, overrides);
   try {
@@ -193,14 +189,10 @@ Scene read_scene(const std::filesystem::path& path, const SceneOverrides& overri
     throw FileError(fmt::format("{}: the file cannot be opened. Try to check its name and rights.",
                                 path.string()));
   }
-  std::string text(largest_file + 1, '\0');
+  std::string text(input::largest_file + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) throw FileError(fmt::format("{}: reading failed.", path.string()));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > largest_file) {
-    throw SceneError(
-        fmt::format("{}:1: the file is larger than 16 MiB. Try a scene.", path.string()));
-  }
   return read_scene_text(text, path.string(), overrides);
 }
 

@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <sstream>
+#include <ostream>
+#include <streambuf>
 
+#include "engine/scene/not_supported.hpp"
 #include "engine/scene/units.hpp"
 
 namespace scarp::input {
@@ -32,6 +35,18 @@ std::string_view kind_of(const toml::node& node) {
     default:
       return "a date or time";
   }
+}
+
+/// "wall[0].motion" lies in the section "wall".
+std::string_view section_of(std::string_view path) {
+  return path.empty() ? "top" : path.substr(0, path.find_first_of("[."));
+}
+
+/// What to do about a word that is none of `known`.
+template <class Names>
+std::string advice(std::string_view path, std::string_view word, const Names& known) {
+  const std::string_view missing = not_supported(section_of(path), word);
+  return missing.empty() ? did_you_mean(word, known) : std::string(missing);
 }
 
 std::vector<std::string> split(std::string_view choices) {
@@ -61,9 +76,15 @@ std::string one_line(std::string_view raw, std::size_t longest) {
 }
 
 std::string shown(const toml::node& node) {
-  std::ostringstream stream;
+  // A node may be the whole file; what lies beyond the buffer is not written.
+  struct Beginning : std::streambuf {
+    std::array<char, 512> letters;
+    Beginning() { setp(letters.data(), letters.data() + letters.size()); }
+    std::string_view text() const { return {pbase(), static_cast<std::size_t>(pptr() - pbase())}; }
+  } beginning;
+  std::ostream stream(&beginning);
   node.visit([&stream](const auto& typed) { stream << typed; });
-  return one_line(stream.str(), 60);
+  return one_line(beginning.text(), 60);
 }
 
 int line_of(const toml::node& node) {
@@ -117,6 +138,10 @@ std::string Value::letters() const {
   std::string words = node_->value_exact<std::string>().value_or("");
   // It would end the text of every exception in which the words stand.
   if (words.find('\0') != std::string::npos) fail("it holds \\u0000. Try text without it.");
+  constexpr std::size_t longest = 1000;
+  if (words.size() > longest) {
+    fail(fmt::format("it has {} letters. Try at most {}.", words.size(), longest));
+  }
   return words;
 }
 
@@ -133,7 +158,7 @@ std::size_t Value::choice(std::string_view choices) const {
   const std::string word = text();
   const auto found = std::find(names.begin(), names.end(), word);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  fail(fmt::format("it is none of {}. {}", fmt::join(names, ", "), did_you_mean(word, names)));
+  fail(fmt::format("it is none of {}. {}", fmt::join(names, ", "), advice(path_, word, names)));
 }
 
 std::vector<Value> Value::items() const {
@@ -151,8 +176,11 @@ std::vector<double> Value::numbers(kernels::Unit unit, std::size_t count) const 
   const toml::array* array = node_->as_array();
   if (array == nullptr) wrong_type(fmt::format("an array of {} numbers", count), "[0.0, 1.0]");
   if (array->size() != count) {
-    fail(fmt::format("the array has {} item(s), but {} are needed here. Try {}.", array->size(),
-                     count, count == 2 ? "[first, second]" : "[x, y, z]"));
+    const bool integers = std::all_of(array->begin(), array->end(),
+                                      [](const toml::node& item) { return item.is_integer(); });
+    fail(fmt::format("the array has {} item(s), but {} are needed here. Try {}{}.", array->size(),
+                     count, count == 2 ? "[first, second]" : "[x, y, z]",
+                     array->size() > count && integers ? ", and 1.5 if a comma meant that" : ""));
   }
   std::vector<double> result;
   for (const Value& item : items()) result.push_back(item.number(unit));
@@ -191,7 +219,7 @@ Table::Table(const Value& value, const Keys& known)
     const std::string_view name = key.str();
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     input::fail(*value_.file_, node, path_of(name),
-                fmt::format("unknown key. {}", did_you_mean(name, known)));
+                fmt::format("unknown key. {}", advice(value_.path_, name, known)));
   }
 }
 

@@ -64,6 +64,9 @@ void check_names(const std::vector<Named>& list, const char* section) {
       rule(!control && std::string_view("/\\\",.[]").find(letter) == std::string_view::npos, path,
            quoted, "it holds one of / \\ \" , . [ ] or a control character. Try letters and _.");
     }
+    // In a table such a cell is run as a formula by spreadsheets.
+    rule(std::string_view("=+-@ ").find(name.front()) == std::string_view::npos, path, quoted,
+         "it begins with one of = + - @ or a blank. Try a letter first.");
     rule(seen.insert(name).second, path, quoted,
          fmt::format("another {} has the same name. Try a different one.", section));
   }

@@ -6,54 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/boundary/wall_gaps.hpp"
+#include "engine/scene/magnitudes.hpp"
 #include "kernels/constitutive/list.hpp"
 
 namespace scarp {
 namespace {
 
 using kernels::DruckerPrager;
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void take(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-};
-
-/// Extent of a body along one axis [m]; a height given by an expression is not known here and
-/// counts as 0.
-struct Extent {
-  std::size_t axis;
-  int dimension;
-
-  Range operator()(const Polygon& polygon) const {
-    Range range;
-    const bool across = dimension == 3 && axis == 1;
-    for (const auto& p : polygon.points) range.take(p[axis == 0 ? 0 : 1]);
-    return across ? Range{polygon.extrude[0], polygon.extrude[1]} : range;
-  }
-  Range operator()(const Box& box) const { return {box.minimum[axis], box.maximum[axis]}; }
-  Range operator()(const Cylinder& cylinder) const {
-    const double centre = cylinder.centre[axis];
-    if (axis == 2) return {centre, centre + cylinder.height};
-    return {centre - cylinder.radius, centre + cylinder.radius};
-  }
-  Range operator()(const HeightField& field) const {
-    if (axis != 2) return {field.plan_minimum[axis], field.plan_maximum[axis]};
-    Range range{field.base, field.base};
-    for (const auto& p : field.profile) range.take(p[1]);
-    return range;
-  }
-};
-
-std::string degrees(double angle) {
-  return fmt::format("{:.4g} deg", angle * 45.0 / std::atan(1.0));
-}
 
 void check_cone(const Scene& scene, const Material& material, std::vector<std::string>& found) {
   if (material.model != DruckerPrager::name) return;
@@ -67,7 +28,7 @@ void check_cone(const Scene& scene, const Material& material, std::vector<std::s
           fmt::format("material '{}': with cone = \"outer\" and a friction angle of {} the soil "
                       "never yields in "
                       "plane strain. Try cone = \"plane_strain\", or less than 42.2 deg.",
-                      material.name, degrees(phi)));
+                      material.name, degrees_text(phi)));
     }
   }
   if (p[DruckerPrager::cohesion] == 0.0 && phi == 0.0) {
@@ -80,36 +41,6 @@ void check_cone(const Scene& scene, const Material& material, std::vector<std::s
 bool has_body(const Scene& scene, std::size_t material) {
   return std::any_of(scene.bodies.begin(), scene.bodies.end(),
                      [material](const Body& body) { return body.material == material; });
-}
-
-double constrained_modulus(const Material& material) {
-  // Both indices are 0 and 1 in every model: elasticity comes first.
-  return kernels::elastic_moduli(material.parameters[0], material.parameters[1]).wave_modulus();
-}
-
-/// Settlement under its own weight, gamma H / (2 M) of the height H; M is the constrained modulus.
-void check_settlement(const Scene& scene, std::vector<std::string>& found) {
-  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto steepest = std::max_element(scene.gravity.begin(), scene.gravity.end(), larger);
-  const Extent extent{static_cast<std::size_t>(steepest - scene.gravity.begin()), scene.dimension};
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    Range range;
-    for (const Body& body : scene.bodies) {
-      if (body.material != m) continue;
-      const Range own = std::visit(extent, body.shape);
-      range.take(own.low);
-      range.take(own.high);
-    }
-    const Material& material = scene.materials[m];
-    const double e = material.parameters[0], modulus = constrained_modulus(material);
-    const double height = range.high - range.low;
-    const double share = material.density * std::abs(*steepest) * height / (2.0 * modulus);
-    if (!(height > 0.0) || !(share > 0.1)) continue;
-    found.push_back(fmt::format(
-        "material '{}': with E = {:.4g} Pa a body {:.4g} m high settles by about {:.0f} % of its "
-        "height under its own weight. Is E in the right unit (kPa, MPa)? Try a stiffer soil.",
-        material.name, e, height, 100.0 * share));
-  }
 }
 
 /// The stiffest material sets the step for all. Where it only carries, a hundred times the
@@ -144,7 +75,7 @@ void check_contrast(const Scene& scene, std::vector<std::string>& found) {
 std::vector<std::string> warnings(const Scene& scene) {
   std::vector<std::string> found;
   for (const Material& material : scene.materials) check_cone(scene, material, found);
-  check_settlement(scene, found);
+  check_magnitudes(scene, found);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     if (!has_body(scene, m)) {
       found.push_back(

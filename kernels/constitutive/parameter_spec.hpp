@@ -8,7 +8,18 @@
 namespace scarp::kernels {
 
 /// Physical dimension of a scene value; decides which unit strings are accepted. SI inside.
-enum class Unit { none, length, time, velocity, acceleration, density, pressure, angle, choice };
+enum class Unit {
+  none,
+  length,
+  time,
+  velocity,
+  acceleration,
+  density,
+  unit_weight,
+  pressure,
+  angle,
+  choice
+};
 
 /// `default_value` NaN means required. A choice is stored as the index into `choices` ("a|b|c");
 /// its `default_value_3d` may differ from the one in 2D.

@@ -229,6 +229,20 @@ cfl = 1.5
                           ["run", "block.toml", "--spacing", "1 kg"], ["report", "nowhere"]):
             self.assertEqual(self.scarp(*arguments).returncode, 2, arguments)
 
+    def test_values_that_are_not_above_0_or_empty_are_not_ignored(self):
+        for command, option, value, words in (("run", "--spacing", "0", "not above 0"),
+                                              ("check", "--spacing", "-1 m", "not above 0"),
+                                              ("check", "--spacing", "nan", "not a finite number"),
+                                              ("fos", "--spacing", "0 cm", "not above 0"),
+                                              ("check", "--spacing", "0,5", 'decimal point, "0.5 m"'),
+                                              ("check", "--spacing", "", "empty"),
+                                              ("run", "--out", "", "empty"), ("check", "--json", "", "empty"),
+                                              ("fos", "--height", "0", "not above 0")):
+            done = self.scarp(command, "block.toml", option, value)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), (option, value))
+            self.assertIn(option, done.stderr)
+            self.assertIn(words, done.stderr)
+
     def test_help_and_version_exit_0(self):
         for arguments in (["--help"], ["run", "--help"], ["--version"]):
             self.assertEqual(self.scarp(*arguments).returncode, 0, arguments)

@@ -155,6 +155,74 @@ TEST(SceneErrorsTest, GarbageEndsInSceneError) {
   }
 }
 
+/// Repeats of one or more texts.
+std::string times(std::size_t count, const std::string& text) {
+  std::string all;
+  for (std::size_t k = 0; k < count; ++k) all += text;
+  return all;
+}
+
+/// `text` for each number below `count`, which stands where it has a #.
+std::string numbered(int count, const std::string& text) {
+  std::string all;
+  for (int k = 0; k < count; ++k) all += replaced(text, "#", std::to_string(k));
+  return all;
+}
+
+TEST(SceneErrorsTest, NothingIsTooDeepOrTooMuchForTheParser) {
+  // Each of these ended the program or took minutes: the parser calls itself for every part of a
+  // name and for every bracket, and searches all dotted names at each of them.
+  constexpr std::size_t deep = 200'000;
+  const std::string dotted = times(deep, "a.") + "b", quoted = times(deep, "\"a\" . ") + "'b'";
+  const std::pair<std::string, const char*> rows[] = {
+      {dotted + " = 1", "parts"},
+      {"[" + dotted + "]", "parts"},
+      {"[[" + dotted + "]]", "parts"},
+      {quoted + " = 1", "parts"},
+      {"[" + quoted + "]", "parts"},
+      {"a = {" + dotted + " = 1}", "parts"},
+      {"a = [1, {" + dotted + " = 1}]", "parts"},
+      {"a = " + times(deep, "{a = ") + "1" + times(deep, "}"), "brackets"},
+      {"a = " + times(deep, "["), "brackets"},
+      {"a = " + times(deep, "[{b = "), "brackets"},
+      {times(16, "[[a.a.a.a.a.a]]\na.a.a.a.a.a.a.a = {b.b.b = [[[{c.c.c = 1}]]]}\n"), ""},
+      {numbered(400'000, "a#.b = 1\n") + numbered(400'000, "a#.c = 1\n"), "dots"},
+      {numbered(400'000, "[a#.b]\n") + numbered(400'000, "[a#]\n"), "dots"},
+      {times(800'000, "[[a]]\n"), "values"},
+      {"a = [" + times(4'000'000, "1,") + "]", "values"},
+      {"a = [" + times(4'000'000, "{},") + "]", "values"},
+      {"title = \"" + times(1001, "x") + "\"", "1001 letters"},
+      {"title = '" + times(std::size_t{17} << 20, "x") + "'", "16 MiB"},
+      {"dimension = 2\nspacing = 1\n" + times(10'001, "[[probe]]\nname = 'a'\nat = [0, 0]\n"),
+       "10001, more than 10000"},
+      {"dimension = 2\nspacing = 1\n" + times(1001, "[[material]]\nname = 'a'\n"),
+       "1001, more than 1000"},
+  };
+  for (const auto& [text, words] : rows) {
+    try {
+      read_scene_text(text, "bytes");
+      ADD_FAILURE() << "accepted: " << text.substr(0, 60);
+    } catch (const SceneError& error) {
+      EXPECT_EQ(fault_of_message(error.what(), "bytes"), "") << error.what();
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(SceneErrorsTest, WhatLooksDeepInsideTextAndCommentsIsNot) {
+  const std::string deep = times(60, "[{a.") + times(60, "]}");
+  for (const std::string& quote :
+       {std::string("\""), std::string("'"), std::string("\"\"\""), std::string("\'\'\'")}) {
+    const std::string title = replaced(slope_text, "\"Cohesive slope\"", quote + deep + quote);
+    EXPECT_EQ(read_scene_text(title, "bytes").title, deep) << quote;
+  }
+  EXPECT_NO_THROW(read_scene_text(replaced(slope_text, "2000.0", "2000.0  # " + deep), "bytes"));
+  // A quote that is escaped, and ones that end a text of several lines.
+  const std::string text = "\"\"\"a \\\"\"\" " + deep + "\n'" + deep + "\"\"\"\"\"";
+  EXPECT_EQ(read_scene_text(replaced(slope_text, "\"Cohesive slope\"", text), "bytes").title,
+            "a \"\"\" " + deep + "\n'" + deep + "\"\"");
+}
+
 TEST(SceneErrorsTest, ScenesCutOrSpoiltAnywhereNeverCrash) {
   for (const std::string* text : {&slope_text, &everything_text}) {
     for (std::size_t length = 0; length < text->size(); ++length) survive(text->substr(0, length));

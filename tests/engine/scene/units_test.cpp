@@ -40,10 +40,30 @@ TEST(UnitsTest, ConvertsEveryKindOfUnitToSi) {
       {"180 deg", Unit::angle, std::acos(-1.0)},
       {"0.5 rad", Unit::angle, 0.5},
       {".5 m", Unit::length, 0.5},
+      {"20 kN/m^2", Unit::pressure, 20e3},
+      {"3 N/m^2", Unit::pressure, 3.0},
+      {"1 MN/m2", Unit::pressure, 1e6},
+      {"18.2 kN/m3", Unit::unit_weight, 18.2e3},
+      {"18.2 kN/m^3", Unit::unit_weight, 18.2e3},
+      {"10 ft", Unit::length, 3.048},
+      {"12 in", Unit::length, 0.3048},
+      {"10 ft/s", Unit::velocity, 3.048},
+      {"32.174 ft/s^2", Unit::acceleration, 32.174 * 0.3048},
   };
   for (const Good& good : table) {
     // One multiplication by a rounded factor: two roundings, four are allowed.
     EXPECT_DOUBLE_EQ(parse_quantity(good.text, good.unit), good.value) << good.text;
+  }
+}
+
+TEST(UnitsTest, PoundsAndFeetAreTheInternationalOnes) {
+  // The values of NIST SP 811, appendix B.8, to the seven digits it prints.
+  const Good table[] = {{"1 psf", Unit::pressure, 4.788026e+01},
+                        {"1 ksf", Unit::pressure, 4.788026e+04},
+                        {"1 psi", Unit::pressure, 6.894757e+03},
+                        {"1 pcf", Unit::unit_weight, 1.570875e+02}};
+  for (const Good& good : table) {
+    EXPECT_NEAR(parse_quantity(good.text, good.unit) / good.value, 1.0, 1e-6) << good.text;
   }
 }
 
@@ -63,12 +83,18 @@ TEST(UnitsTest, NamesWhatIsAcceptedWhenItRefuses) {
       {"   ", Unit::time, "a time is needed"},
       {"deg", Unit::angle, "an angle is needed"},
       {"+-3 m", Unit::length, "a length is needed"},
-      {"1e999 m", Unit::length, "not a finite number"},
+      {"1e999 m", Unit::length, "too large or too near to 0"},
       {"1e308 km", Unit::length, "not a finite number"},
       {"inf m", Unit::length, "not a finite number"},
       {"nan s", Unit::time, "not a finite number"},
       {"0x10 m", Unit::length, "unknown unit 'x10 m'"},
-      {"1,5 m", Unit::length, "unknown unit ',5 m'"},
+      {"1,5 m", Unit::length, "a comma stands in the number. Try a decimal point, \"1.5 m\""},
+      {"-0,25 m", Unit::length, "Try a decimal point, \"-0.25 m\""},
+      {"1, m", Unit::length, "unknown unit ', m'"},
+      {"1e-999 m", Unit::length, "too large or too near to 0"},
+      {"18 kN/m3", Unit::density, "Try unit_weight = \"18 kN/m3\" in its place"},
+      {"20 kN/m3", Unit::pressure, "'kN/m3' is the unit of a unit weight"},
+      {"120 lb", Unit::unit_weight, "Try one of kN/m3, kN/m^3, N/m3, N/m^3, pcf"},
       {"1.5", Unit::none, "a plain number"},
   };
   for (const Bad& bad : table) {

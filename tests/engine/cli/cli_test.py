@@ -232,7 +232,7 @@ cfl = 1.5
     def test_values_that_are_not_above_0_or_empty_are_not_ignored(self):
         for command, option, value, words in (("run", "--spacing", "0", "not above 0"),
                                               ("check", "--spacing", "-1 m", "not above 0"),
-                                              ("check", "--spacing", "nan", "not a finite number"),
+                                              ("check", "--spacing", "nan m", "not a finite number"),
                                               ("fos", "--spacing", "0 cm", "not above 0"),
                                               ("check", "--spacing", "0,5", 'decimal point, "0.5 m"'),
                                               ("check", "--spacing", "", "empty"),

@@ -210,15 +210,11 @@ void set_material_constants(State& state) {
 
 void place_walls(State& state) {
   const double cell = 0.5 * (2.0 + state.scene.numerics.skin) * state.smoothing_length;
-  std::vector<bool> has_dummies = state.wall_stands;
-  for (std::size_t w = 0; w < has_dummies.size(); ++w) {
-    if (state.scene.walls[w].kind == WallKind::free_slip) has_dummies[w] = false;
-  }
   WallDummies moved = state.dummies;
   for (std::size_t k = 0; k < moved.position.size(); ++k) {
     for (std::size_t a = 0; a < 3; ++a) moved.position[k][a] += state.wall_offset[moved.wall[k]][a];
   }
-  state.walls = Walls(moved, has_dummies, cell, state.scaling.inverse_smoothing_length);
+  state.walls = Walls(moved, state.wall_stands, cell, state.scaling.inverse_smoothing_length);
   state.placed_wall_offset = state.built_wall_offset = state.wall_offset;
   state.records = Records(state.particles.slots(), state.walls.slots());
   state.lists_valid = false;

@@ -16,15 +16,14 @@ WallMaterial wall_material(const State& state) {
       groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
   const double density = state.scene.materials[most->material].density;
   return {density, std::sqrt(state.scaling.wave_modulus[most->material] / density),
-          state.particle_volume * state.scaling.gradient_factor};
+          state.particle_volume * state.scaling.gradient_factor,
+          state.scaling.inverse_smoothing_length};
 }
 
 }  // namespace
 
 void extrapolate_walls(State& state) {
   if (state.walls.count() == 0) return;
-  state.walls.pack(state.records, state.scaling.inverse_smoothing_length, wall_material(state),
-                   state.wall_velocity);
   kernels::WallSweepView<double> view{};
   kernels::PairSweepView<double> records{};
   state.records.fill(records, false);
@@ -35,7 +34,8 @@ void extrapolate_walls(State& state) {
   for (std::size_t a = 0; a < 3; ++a)
     view.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
   state.walls.extrapolate(state.threads, *state.kernels.table, state.scene.dimension,
-                          state.wall_lists, view, state.records);
+                          state.wall_lists, view, wall_material(state), state.wall_velocity,
+                          state.records);
 }
 
 }  // namespace scarp

@@ -29,6 +29,7 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
   }
   faces_.assign(static_cast<std::size_t>(slots_) * wall_record_size, 0.0);
   for (auto& component : stress_) component.assign(static_cast<std::size_t>(slots_), 0.0);
+  std::vector<std::size_t> place(dummies.beside_smooth.empty() ? 0 : dummies.wall.size());
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t source = kept[static_cast<std::size_t>(grid.order()[k])];
     for (std::size_t a = 0; a < 3; ++a) position_[a][k] = dummies.position[source][a];
@@ -38,6 +39,11 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     face[wall_limit] =
         dummies.near_edge[source] ? extrapolation_limit_near_edge : extrapolation_limit;
     wall_.push_back(dummies.wall[source]);
+    if (!place.empty()) place[source] = k;
+  }
+  for (const SmoothCorner& corner : dummies.beside_smooth) {
+    if (!stands[dummies.wall[corner.dummy]]) continue;
+    beside_smooth_.push_back({place[corner.dummy], corner.over});
   }
 }
 
@@ -68,23 +74,34 @@ void Walls::move(std::size_t wall, const Vec3& step) {
   }
 }
 
-void Walls::pack(Records& records, double inverse_smoothing_length, const WallMaterial& material,
-                 const std::vector<Vec3>& wall_velocity) const {
-  for (std::int64_t k = 0; k < count(); ++k) {
-    const auto dummy = static_cast<std::size_t>(k);
-    double* r = records.wall(k);
-    for (std::size_t a = 0; a < 3; ++a) {
-      r[record_x + a] = position_[a][dummy] * inverse_smoothing_length;
-      r[record_velocity_x + a] = wall_velocity[wall_[dummy]][a];
-    }
-    r[record_volume] = material.volume;
-    r[record_density] = material.density;
-    r[record_sound_speed] = material.sound_speed;
+void Walls::choose_standing(const Scene& scene, const std::vector<bool>& stands,
+                            const std::vector<Vec3>& wall_offset) {
+  if (beside_smooth_.empty()) return;
+  const CornerReach reach = corner_reach(scene);
+  absent_.assign(wall_.size(), false);
+  for (const SmoothCorner& corner : beside_smooth_) {
+    const std::size_t k = corner.dummy;
+    const Vec3 point{position_[0][k], position_[1][k], position_[2][k]};
+    absent_[k] = !stands_in_corner(scene, reach, corner, point, stands, wall_offset);
   }
+}
+
+void Walls::pack(Records& records, std::int64_t dummy, const WallMaterial& material,
+                 const std::vector<Vec3>& wall_velocity) const {
+  const auto k = static_cast<std::size_t>(dummy);
+  double* r = records.wall(dummy);
+  for (std::size_t a = 0; a < 3; ++a) {
+    r[record_x + a] = position_[a][k] * material.inverse_smoothing_length;
+    r[record_velocity_x + a] = wall_velocity[wall_[k]][a];
+  }
+  r[record_volume] = !absent_.empty() && absent_[k] ? 0.0 : material.volume;
+  r[record_density] = material.density;
+  r[record_sound_speed] = material.sound_speed;
 }
 
 void Walls::extrapolate(int threads, const KernelTable& kernels, int dimension,
                         const NeighbourLists& lists, const WallSweepView<double>& base,
+                        const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
                         Records& records) {
   WallSweepView<double> view = base;
   view.faces = faces_.data();
@@ -97,8 +114,10 @@ void Walls::extrapolate(int threads, const KernelTable& kernels, int dimension,
   const auto run = [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t n = begin; n < end; ++n) {
       const std::int64_t cluster = active[static_cast<std::size_t>(n)];
+      const std::int64_t first = cluster * size, last = std::min(first + size, count());
+      for (std::int64_t k = first; k < last; ++k) pack(records, k, material, wall_velocity);
       sweep(view, cluster, cluster + 1);
-      for (std::int64_t k = cluster * size; k < std::min((cluster + 1) * size, count()); ++k) {
+      for (std::int64_t k = first; k < last; ++k) {
         const auto dummy = static_cast<std::size_t>(k);
         double* r = records.wall(k);
         for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)

@@ -22,6 +22,7 @@ struct WallMaterial {
   double density = 1.0;      ///< reference density [kg/m3]
   double sound_speed = 0.0;  ///< [m/s]
   double volume = 0.0;       ///< dx^d times RecordScaling::gradient_factor
+  double inverse_smoothing_length = 0.0;
 };
 
 class Walls {
@@ -50,17 +51,21 @@ class Walls {
     return (have_moved() ? built_position_ : position_)[axis].data();
   }
 
-  /// Positions and velocities of the walls into the records; `extrapolate` follows.
-  void pack(Records& records, double inverse_smoothing_length, const WallMaterial& material,
-            const std::vector<Vec3>& wall_velocity) const;
-  /// Wall sweep over the dummies that have soil in reach: velocity (B1) and stress (B2).
+  /// Which of the dummies in corners with free-slip faces stand now; when lists are built.
+  void choose_standing(const Scene& scene, const std::vector<bool>& stands,
+                       const std::vector<Vec3>& wall_offset);
+  /// Records of the dummies that have soil in reach: position, velocity (B1) and stress (B2). No
+  /// list names the others.
   void extrapolate(int threads, const kernels::KernelTable& kernels, int dimension,
                    const NeighbourLists& lists, const kernels::WallSweepView<double>& base,
+                   const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
                    Records& records);
   std::size_t bytes() const;
 
  private:
   void remember_built();
+  void pack(Records& records, std::int64_t dummy, const WallMaterial& material,
+            const std::vector<Vec3>& wall_velocity) const;
 
   std::int64_t slots_ = 0;
   AlignedVector<double> position_[3];
@@ -69,6 +74,8 @@ class Walls {
   AlignedVector<double> stress_[6];
   AlignedVector<double> faces_;  ///< kernels::WallSlot
   std::vector<std::size_t> wall_;
+  std::vector<SmoothCorner> beside_smooth_;
+  std::vector<bool> absent_;  ///< corners that are open now; empty if there are none
 };
 
 }  // namespace scarp

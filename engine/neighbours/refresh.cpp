@@ -108,6 +108,7 @@ void build_lists(State& state) {
   input.dimension = dimension;
   input.cluster_size = state.kernels.cluster_size;
   if (state.walls.count() > 0) {
+    state.walls.choose_standing(state.scene, state.wall_stands, state.wall_offset);
     const SlotRange dummies = state.walls.range();
     state.wall_cells.build(state.threads, state.walls.points(), {&dummies, 1}, cell);
     input.walls = {&state.wall_cells, state.walls.points(), state.records.first_wall()};

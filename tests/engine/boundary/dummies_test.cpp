@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "engine/boundary/facet_geometry.hpp"
+#include "engine/boundary/facet_index.hpp"
 #include "engine/boundary/wall_clearance.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/facets.hpp"
@@ -261,7 +264,7 @@ TEST(GenerateDummiesTest, GateSunkIntoTheBaseOrAtItsEndLeavesTheBaseWhole) {
     Scene scene = empty_scene(2);
     Wall gate = line_wall("gate", WallKind::no_slip, line);
     gate.velocity = {0.0, 1.0, 0.0};
-    scene.walls = {gate, line_wall("base", WallKind::free_slip, {{0, 0}, {10, 0}})};
+    scene.walls = {gate, line_wall("base", WallKind::no_slip, {{0, 0}, {10, 0}})};
     const WallDummies dummies = generate_dummies(scene);
     for (std::size_t k = 0; k < dummies.position.size(); ++k) {
       EXPECT_EQ(dummies.wall[k], dummies.position[k][1] < 0.0 ? 1U : 0U);
@@ -269,6 +272,84 @@ TEST(GenerateDummiesTest, GateSunkIntoTheBaseOrAtItsEndLeavesTheBaseWhole) {
     // 20 columns; the gate at the end makes a corner of 3 more.
     const std::size_t below = line[0][0] > 9.0 ? 69U : 60U;
     EXPECT_EQ(dummies.position.size(), below + 18U);
+  }
+}
+
+TEST(GenerateDummiesTest, SmoothWallsLayNoneAndTakeNone) {
+  // However a smooth side meets the base: at its end, going on below it, crossed by it.
+  for (const double below : {0.0, 5.0}) {
+    for (const double beyond : {0.0, 0.05, 0.25, 1.0, 5.0}) {
+      for (const bool swapped : {false, true}) {
+        Scene scene = empty_scene(2);
+        scene.walls = {line_wall("base", WallKind::no_slip, {{-beyond, 0}, {10, 0}}),
+                       line_wall("side", WallKind::free_slip, {{0, 5}, {0, -below}})};
+        if (swapped) std::swap(scene.walls[0], scene.walls[1]);
+        const WallDummies dummies = generate_dummies(scene);
+        double least = 0.0;
+        for (std::size_t k = 0; k < dummies.position.size(); ++k) {
+          EXPECT_EQ(scene.walls[dummies.wall[k]].name, "base");
+          least = std::min(least, dummies.position[k][0]);
+        }
+        // Full layers as far as the support of soil at the side reaches.
+        EXPECT_LE(least, -1.0) << below << ' ' << beyond;
+        std::size_t left = 0;
+        for (const Vec3& p : dummies.position) left += p[0] < 5.0;
+        EXPECT_GE(left, 3U * 12U) << below << ' ' << beyond;
+        EXPECT_GE(nearest_pair(dummies), 0.5 - 1e-9);
+        expect_consistent(scene, dummies);
+      }
+    }
+  }
+}
+
+TEST(GenerateDummiesTest, CornerWithASmoothWallThatGoesIsTold) {
+  Scene scene = empty_scene(2);
+  scene.walls = {line_wall("plate", WallKind::no_slip, {{10, 3}, {0, 3}}),
+                 line_wall("sides", WallKind::free_slip, {{0, 3}, {0, 0}})};
+  EXPECT_TRUE(generate_dummies(scene).beside_smooth.empty());
+  scene.stages = {Stage{}};
+  scene.stages[0].duration = 1.0;
+  scene.walls[0].velocity = {0, -1, 0};
+  const WallDummies moving = generate_dummies(scene);
+  ASSERT_EQ(moving.beside_smooth.size(), 9U);
+  for (const SmoothCorner& corner : moving.beside_smooth) {
+    EXPECT_LT(moving.position[corner.dummy][0], 0.0);
+    EXPECT_EQ(corner.over[0], (Vec3{-1, 0, 0}));
+    const CornerReach reach = corner_reach(scene);
+    const Vec3& at = moving.position[corner.dummy];
+    const auto stands = [&](bool standing, double down) {
+      const std::vector<Vec3> offset{{0, -down, 0}, {}};
+      return stands_in_corner(scene, reach, corner, geometry::plus(at, -down, {0, 1, 0}),
+                              {true, standing}, offset);
+    };
+    EXPECT_TRUE(stands(true, 0.0));
+    EXPECT_TRUE(stands(true, 1.0));
+    EXPECT_FALSE(stands(true, 12.0)) << "below the sides the plate is as wide as it is drawn";
+    EXPECT_FALSE(stands(false, 1.0));
+  }
+}
+
+TEST(FacetIndexTest, FindsAllThatIsNearAndAsksFew) {
+  // A wavy base of many facets and one long wall over all of it.
+  for (const int count : {40, 4000}) {
+    Points2 points;
+    for (int k = 0; k <= count; ++k) points.push_back({1.0 * k, std::sin(0.1 * k)});
+    std::vector<Facet> facets = line_facets(points);
+    facets.push_back(line_facets({{1.0 * count, 8}, {0, 8}})[0]);
+    const FacetIndex index(facets, 2.0);
+    std::vector<std::uint32_t> found;
+    std::size_t most = 0;
+    for (double x = -3.0; x < count + 3.0; x += 0.37) {
+      const Vec3 point{x, 0.2, 0};
+      index.near(point, found);
+      most = std::max(most, found.size());
+      EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+      for (std::uint32_t k = 0; k < facets.size(); k += count / 40) {
+        if (geometry::coordinates(facets[k], 2, point).distance(facets[k]) > 2.0) continue;
+        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), k)) << x << ' ' << k;
+      }
+    }
+    EXPECT_LE(most, 6U) << "five of length 1 within 2 of any place, and one that ends there";
   }
 }
 

@@ -148,6 +148,24 @@ std::string scene_text(const Scene& scene) {
   return lines.take();
 }
 
+std::string output_text(const Scene& scene) {
+  Lines lines;
+  lines.section("output.");
+  lines.add("frames", scene.output.frames);
+  lines.add("every", scene.output.frame_interval);
+  lines.add("probe_every", scene.output.probe_interval);
+  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+    lines.section(fmt::format("wall[{}].", w));
+    lines.add("name", scene.walls[w].name);
+  }
+  for (std::size_t p = 0; p < scene.probes.size(); ++p) {
+    lines.section(fmt::format("probe[{}].", p));
+    lines.add("name", scene.probes[p].name);
+    lines.add("at", scene.probes[p].at);
+  }
+  return lines.take();
+}
+
 std::string first_difference(const std::string& stored, const std::string& here) {
   if (stored == here) return {};
   const auto same =

@@ -39,6 +39,7 @@ struct CheckArguments {
 struct RunArguments {
   SceneArguments scene;
   std::string folder;  ///< empty: out/<stem of the scene file>
+  bool overwrite = false;
   bool quiet = false;
 };
 
@@ -53,6 +54,7 @@ struct ConvergeArguments {
   SceneArguments scene;               ///< its spacing is not used
   std::vector<std::string> spacings;  ///< three; empty: 4, 2 and 1 times the scene's
   std::string folder;                 ///< empty: out/<stem of the scene file>_converge
+  bool overwrite = false;
   bool quiet = false;
 };
 
@@ -66,6 +68,7 @@ struct FosArguments {
   double from = 1.0;
   std::optional<double> to;
   std::string folder;  ///< empty: out/<stem of the scene file>_fos
+  bool overwrite = false;
   bool quiet = false;
 };
 

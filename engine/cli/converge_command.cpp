@@ -11,6 +11,7 @@
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/converge_output.hpp"
+#include "engine/cli/folder_claim.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/converge/study.hpp"
@@ -76,7 +77,7 @@ std::optional<SpacingRun> earlier_run(const fs::path& folder, const Simulation& 
                                       const std::vector<EndQuantity>& quantities) {
   const Scene& scene = simulation.scene();
   try {
-    if (read_text(folder / "scene.toml") != read_text(scene.file)) return {};
+    if (read_text(folder / "scene.toml") != scene.text) return {};
     const Json results = Json::parse(read_text(folder / "results.json"));
     const bool same = results.at("complete") == true && results.at("spacing") == scene.spacing &&
                       results.at("preset") == scene.numerics.preset &&
@@ -141,6 +142,7 @@ int converge_command(const ConvergeArguments& arguments) {
                               ? fs::path("out") / (fs::path(own.file).stem().string() + "_converge")
                               : fs::path(arguments.folder);
   const FolderLock lock(folder);
+  claim_folder(folder, Command::converge, own, arguments.overwrite);
   const std::vector<EndQuantity> quantities = end_quantities(own);
   catch_interrupts();
   std::array<SpacingRun, 3> runs;

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/folder_claim.hpp"
 #include "engine/cli/fos_output.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
@@ -111,6 +112,7 @@ int fos_command(const FosArguments& arguments) {
   for (const std::string& warning : warnings(scene)) fmt::print(stderr, "warning: {}\n", warning);
   const fs::path folder = output_folder(arguments, scene);
   const FolderLock lock(folder);
+  claim_folder(folder, Command::fos, scene, arguments.overwrite);
   Simulation simulation(scene, arguments.scene.options);
   if (!arguments.quiet) {
     fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",

@@ -43,6 +43,11 @@ void add_scene_options(CLI::App& command, SceneArguments& arguments) {
   add_threads_option(command, arguments.options);
 }
 
+void add_overwrite_option(CLI::App& command, bool& overwrite) {
+  command.add_flag("--overwrite", overwrite,
+                   "Remove the results that are in the folder, whatever they are of");
+}
+
 void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
   command.add_option("--spacing", arguments.spacing,
                      "Replace the particle spacing, e.g. \"0.5 m\"");
@@ -121,6 +126,7 @@ CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
                       "Height of the slope, e.g. \"10 m\"; default that of the ground");
   command->add_option("-o,--out", fos.folder,
                       "Output folder; default out/<name of the scene file>_fos");
+  add_overwrite_option(*command, fos.overwrite);
   command->add_flag("-q,--quiet", fos.quiet, "No progress");
   return command;
 }
@@ -138,6 +144,7 @@ int run_program(int argc, char** argv) {
   add_spacing_option(*run_app, run.scene);
   run_app->add_option("-o,--out", run.folder,
                       "Output folder; default out/<name of the scene file>");
+  add_overwrite_option(*run_app, run.overwrite);
   run_app->add_flag("-q,--quiet", run.quiet, "No progress");
 
   ResumeArguments resume;
@@ -165,6 +172,7 @@ int run_program(int argc, char** argv) {
       ->expected(3);
   converge_app->add_option("-o,--out", converge.folder,
                            "Output folder; default out/<name of the scene file>_converge");
+  add_overwrite_option(*converge_app, converge.overwrite);
   converge_app->add_flag("-q,--quiet", converge.quiet, "No progress");
 
   FosArguments fos;

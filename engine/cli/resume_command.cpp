@@ -60,12 +60,33 @@ Resumed start_over(const Scene& scene, const RunOptions& options, const fs::path
   return {std::move(simulation), std::move(writer)};
 }
 
+/// The run has its scene from the record; who has edited a file may believe otherwise.
+void say_what_has_changed(const RunRecord& record, const Scene& scene, const fs::path& folder) {
+  if (const std::string change = change_of_scene(record, scene); !change.empty()) {
+    fmt::print(stderr,
+               "warning: {} Here goes on the scene that the run began with. To run the other: "
+               "scarp run {} -o {} --overwrite\n",
+               change, record.scene_name, folder.string());
+  }
+  const fs::path copy = folder / "scene.toml";
+  std::error_code ignored;
+  const bool own = fs::equivalent(copy, record.scene_name, ignored);
+  if (own || !fs::exists(copy, ignored) || read_text(copy) == record.scene_text) return;
+  const fs::path aside = folder / "scene_edited.toml";
+  fs::rename(copy, aside, ignored);
+  fmt::print(stderr,
+             "warning: '{}' was not the scene of this run; it is now '{}', and changes nothing.\n",
+             copy.string(), aside.string());
+}
+
 }  // namespace
 
 int resume_command(const ResumeArguments& arguments) {
   const fs::path folder(arguments.folder);
   const RunRecord record = read_record(folder);
   const FolderLock lock(folder);
+  const Scene scene = read_scene_text(record.scene_text, record.scene_name, record.overrides);
+  say_what_has_changed(record, scene, folder);
   if (run_is_complete(folder)) {
     fmt::print(stderr, "{}: the run is complete; there is nothing to go on with.\n",
                folder.string());
@@ -75,7 +96,6 @@ int resume_command(const ResumeArguments& arguments) {
     fmt::print(stderr, "warning: begun by scarp {}, which may not give the same bits as {}.\n",
                record.program, program_version());
   }
-  const Scene scene = read_scene_text(record.scene_text, record.scene_name, record.overrides);
   RunOptions options = arguments.options;
   if (options.isa.empty()) options.isa = record.isa;
   if (options.threads == 0) options.threads = record.threads;

@@ -9,6 +9,7 @@
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/drive.hpp"
+#include "engine/cli/folder_claim.hpp"
 #include "engine/cli/run_record.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/results.hpp"
@@ -79,9 +80,9 @@ int run_command(const RunArguments& arguments) {
                simulation.wall_count(), simulation.isa(), simulation.threads(), folder.string());
   }
   const FolderLock lock(folder);
-  begin_run(folder,
-            {program_version(), scene.file, read_text(scene.file), overrides_of(arguments.scene),
-             simulation.isa(), arguments.scene.options.threads});
+  claim_folder(folder, Command::run, scene, arguments.overwrite);
+  begin_run(folder, {program_version(), scene.file, scene.text, overrides_of(arguments.scene),
+                     simulation.isa(), arguments.scene.options.threads});
   RunWriter writer(simulation, folder);
   return drive(simulation, writer, {arguments.scene.json, arguments.quiet});
 }

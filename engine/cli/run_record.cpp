@@ -6,11 +6,12 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
+#include "engine/checkpoint/scene_text.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_writer.hpp"
+#include "engine/output/result_files.hpp"
 #include "engine/output/text_file.hpp"
 
 namespace scarp::cli {
@@ -19,15 +20,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr int format_version = 1;
 
+/// An empty object if there are none that can be read.
+Json results_of(const std::filesystem::path& folder) {
+  Json json = Json::parse(read_text(folder / "results.json"), nullptr, false);
+  return json.is_object() ? json : Json::object();
+}
+
 }  // namespace
 
 void begin_run(const std::filesystem::path& folder, const RunRecord& record) {
-  std::error_code error;
-  std::filesystem::remove(folder / "results.json", error);
-  if (error) {
-    throw FileError(fmt::format("'{}': cannot be removed: {}.", (folder / "results.json").string(),
-                                error.message()));
-  }
+  remove_file(folder / "results.json");
   remove_checkpoints(folder);
   const std::string text = Json{{"format", "scarp run"},
                                 {"version", format_version},
@@ -60,9 +62,34 @@ RunRecord read_record(const std::filesystem::path& folder) {
   }
 }
 
+std::string difference_of(const Scene& recorded, const Scene& here) {
+  const std::string difference = first_difference(scene_text(recorded), scene_text(here));
+  return difference.empty() ? first_difference(output_text(recorded), output_text(here))
+                            : difference;
+}
+
+std::string change_of_scene(const RunRecord& record, const Scene& recorded) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(record.scene_name, ignored)) return {};
+  if (read_text(record.scene_name) == record.scene_text) return {};
+  try {
+    const Scene here = read_scene(record.scene_name, record.overrides);
+    const std::string difference = difference_of(recorded, here);
+    if (difference.empty()) return {};
+    return fmt::format("'{}' has changed since the run began (there {}).", record.scene_name,
+                       difference);
+  } catch (const Error&) {
+    return fmt::format("'{}' has changed since the run began and is no scene now.",
+                       record.scene_name);
+  }
+}
+
 bool run_is_complete(const std::filesystem::path& folder) {
-  const Json json = Json::parse(read_text(folder / "results.json"), nullptr, false);
-  return json.is_object() && json.value("complete", false);
+  return results_of(folder).value("complete", Json()) == true;
+}
+
+bool run_has_ended(const std::filesystem::path& folder) {
+  return run_is_complete(folder) || results_of(folder).value("instability", Json()).is_object();
 }
 
 }  // namespace scarp::cli

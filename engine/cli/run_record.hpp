@@ -28,4 +28,15 @@ RunRecord read_record(const std::filesystem::path& folder);
 /// Whether results.json says that the run has reached its end.
 bool run_is_complete(const std::filesystem::path& folder);
 
+/// ... or became unstable, which going on would only repeat.
+bool run_has_ended(const std::filesystem::path& folder);
+
+/// The first value in which two scenes differ, outputs included, as "spacing = 1, here spacing = 2";
+/// empty if none does.
+std::string difference_of(const Scene& recorded, const Scene& here);
+
+/// A sentence if the scene file has become another scene since the run began; empty if it has not,
+/// or is no longer there.
+std::string change_of_scene(const RunRecord& record, const Scene& recorded);
+
 }  // namespace scarp::cli

@@ -12,6 +12,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
+#include "engine/output/result_files.hpp"
 #include "engine/output/text_file.hpp"
 
 namespace scarp {
@@ -42,14 +43,6 @@ std::vector<fs::path> files_of(const fs::path& run, const std::regex& pattern) {
   }
   std::sort(found.rbegin(), found.rend());
   return found;
-}
-
-void remove_file(const fs::path& path) {
-  std::error_code error;
-  fs::remove(path, error);
-  if (error) {
-    throw FileError(fmt::format("'{}': cannot be removed: {}.", path.string(), error.message()));
-  }
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include <system_error>
 
 #include "engine/errors.hpp"
+#include "engine/output/result_files.hpp"
+#include "engine/output/text_file.hpp"
 
 namespace scarp {
 namespace {
@@ -28,15 +30,20 @@ std::filesystem::path made(std::filesystem::path folder) {
   return folder;
 }
 
-/// `Scene::file` may be a mere name: scenes are also read from text.
-void copy_scene(const std::string& from, const std::filesystem::path& to) {
-  std::error_code error;
-  if (!std::filesystem::exists(from, error) || std::filesystem::equivalent(from, to, error)) return;
-  std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);
-  if (error) {
-    throw FileError(fmt::format("'{}': the scene cannot be copied to '{}': {}.", from, to.string(),
-                                error.message()));
-  }
+/// Takes away what an earlier run has left: it would pass for this one's.
+std::filesystem::path cleared(std::filesystem::path folder) {
+  folder = made(std::move(folder));
+  remove_outputs(folder);
+  return folder;
+}
+
+/// From what was read, not from the file, which may have changed since. A scene that is itself in
+/// the folder stays as it is.
+void keep_scene(const Scene& scene, const std::filesystem::path& folder) {
+  std::error_code ignored;
+  const std::filesystem::path copy = folder / "scene.toml";
+  if (scene.text.empty() || std::filesystem::equivalent(scene.file, copy, ignored)) return;
+  replace_file(copy, scene.text);
 }
 
 /// The first multiple of `interval` after `time`.
@@ -53,10 +60,8 @@ std::string case_name(const Scene& scene, const std::filesystem::path& folder) {
 }  // namespace
 
 RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder)
-    : folder_(made(std::move(folder))), histories_(simulation, folder_) {
-  copy_scene(simulation.scene().file, folder_ / "scene.toml");
-  std::error_code ignored;  // results of an earlier run would pass for this one's
-  std::filesystem::remove(folder_ / "results.json", ignored);
+    : folder_(cleared(std::move(folder))), histories_(simulation, folder_) {
+  keep_scene(simulation.scene(), folder_);
   if (simulation.scene().output.frames) frames_.emplace(simulation, folder_ / "frames");
   enter_stage(simulation);
   write_frame(simulation, "start");
@@ -66,8 +71,9 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder)
 RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
                      const Snapshot& progress)
     : folder_(made(std::move(folder))), histories_(simulation, folder_, progress) {
-  std::error_code ignored;
-  std::filesystem::remove(folder_ / "results.json", ignored);
+  keep_scene(simulation.scene(), folder_);
+  remove_page(folder_);
+  remove_file(folder_ / "results.json");
   if (simulation.scene().output.frames) frames_.emplace(simulation, folder_ / "frames", progress);
   enter_stage(simulation);
   const std::vector<double>& due = progress.numbers("outputs/next_frame_and_row", 2);

@@ -17,13 +17,13 @@
 
 namespace scarp {
 
-/// Writes into a folder: frames/ (see FrameWriter), the tables of ProbeWriter, scene.toml (a copy
-/// of the scene as read, before any override), results.json. Frames and table rows fall on the
+/// Writes into a folder: frames/ (see FrameWriter), the tables of ProbeWriter, scene.toml (the
+/// scene as read, before any override), results.json. Frames and table rows fall on the
 /// first step at or after each multiple of the scene's intervals in stage time, and on the first
 /// and last step of a stage.
 class RunWriter {
  public:
-  /// Writes the initial state. Errors: FileError.
+  /// Removes outputs and page of an earlier run, then writes the initial state. Errors: FileError.
   RunWriter(const Simulation& simulation, std::filesystem::path folder);
 
   /// Goes on with the outputs of a run of which `progress` is a snapshot, as if it had never

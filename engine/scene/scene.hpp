@@ -175,6 +175,7 @@ struct Checkpoints {
 struct Scene {
   std::string title;
   std::string file;  ///< where it was read from; empty if built in code
+  std::string text;  ///< ... and its words, before any override
   int dimension = 2;
   Vec3 gravity{0.0, -9.81, 0.0};
   double spacing = 0.0;  ///< particle spacing dx [m]

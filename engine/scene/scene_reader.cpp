@@ -171,6 +171,7 @@ Scene read_scene_text(std::string_view text, const std::string& name,
   }
   const toml::table document = parse(text, name);
   Scene scene = read_document(Value(document, "", name), name, overrides);
+  scene.text = text;
   try {
     validate(scene);
   } catch (const SceneProblem& problem) {

@@ -126,7 +126,7 @@ class FaultsTest(SlideRun):
             scene = (self.folder / "slide.toml").read_text()
             if word == ".csv":
                 (self.folder / "slide.toml").write_text(scene.replace("energy = true", "frames = false"))
-            stopped = self.limited(size, "run", "slide.toml", "-o", "short", "-q")
+            stopped = self.limited(size, "run", "slide.toml", "-o", "short", "-q", "--overwrite")
             self.assertEqual(stopped.returncode, 1)
             self.assertIn(word, stopped.stderr)
 

@@ -9,8 +9,8 @@
 namespace scarp {
 
 /// One line "numerics.cfl = 1" for each value that the course of a run depends on, SI, exact. What
-/// only names or writes (title, file, probes, intervals of outputs and checkpoints) is left out. The
-/// stages come last.
+/// only names or writes (title, file, probes, intervals of outputs and checkpoints) is left out.
+/// The stages come last.
 std::string scene_text(const Scene& scene);
 
 /// The same for what only decides which outputs a run leaves: probes, names of walls, intervals.

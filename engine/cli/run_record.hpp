@@ -31,8 +31,8 @@ bool run_is_complete(const std::filesystem::path& folder);
 /// ... or became unstable, which going on would only repeat.
 bool run_has_ended(const std::filesystem::path& folder);
 
-/// The first value in which two scenes differ, outputs included, as "spacing = 1, here spacing = 2";
-/// empty if none does.
+/// The first value in which two scenes differ, outputs included, as "spacing = 1, here spacing =
+/// 2"; empty if none does.
 std::string difference_of(const Scene& recorded, const Scene& here);
 
 /// A sentence if the scene file has become another scene since the run began; empty if it has not,

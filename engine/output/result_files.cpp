@@ -3,7 +3,6 @@
 #include "engine/output/result_files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <regex>
 #include <string>
 #include <system_error>
@@ -25,7 +24,7 @@ struct Names {
   const char* pattern;
 };
 
-constexpr std::array names{
+constexpr Names names[]{
     Names{Kind::page, "", R"(report\.html)"},
     Names{Kind::page, "figures",
           R"((?:probes|walls|energy|history|main|displacement_srf|error_time)\.png)"

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/boundary/wall_clearance.hpp"
+#include "engine/boundary/wall_joints.hpp"
 #include "engine/errors.hpp"
 #include "engine/integrate/lattice_sums.hpp"
 #include "engine/parallel.hpp"
@@ -224,6 +225,7 @@ State make_state(Scene scene, const RunOptions& options) {
   validate(scene);
   State state;
   state.scene = std::move(scene);
+  close_narrow_gaps(state.scene);
   state.threads = options.threads > 0 ? options.threads : default_threads();
   const Numerics& n = state.scene.numerics;
   const int dimension = state.scene.dimension;

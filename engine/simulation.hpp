@@ -172,7 +172,7 @@ class Simulation {
   std::uint64_t rebuild_count() const;        ///< of the neighbour lists so far
   std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far
   const StepLimitCounts& step_limit_counts() const;
-  std::uint64_t face_hold_count() const;  ///< how often a grain was held off a no-slip face
+  std::uint64_t face_hold_count() const;  ///< how often a grain was held off a face
   std::vector<UsedFeature> features() const;
   /// In order of the step; what a step does twice is one entry.
   std::vector<PhaseTime> profile() const;

@@ -126,7 +126,9 @@ void build_lists(State& state);
 void pack_records(State& state);       ///< of soil and images where they stand now
 void extrapolate_walls(State& state);  ///< engine/boundary/wall_phase.cpp
 void hold_off_faces(State& state);     ///< engine/boundary/hold_off.cpp
-void sweep_all(State& state);          ///< engine/sweep/pair_sweeps.cpp: every rate at once
+/// How near to a face that rule acts [m].
+double hold_off_distance(double spacing);
+void sweep_all(State& state);  ///< engine/sweep/pair_sweeps.cpp: every rate at once
 void sweep_gradient(State& state);
 void sweep_force(State& state);
 void choose_time_step(State& state);  ///< engine/integrate/step_control.cpp

@@ -50,13 +50,19 @@ class DummyLayout {
     }
     std::stable_partition(faces_.begin(), faces_.end(), [](const Face& f) { return f.lasting; });
     std::vector<Facet> facets;
-    for (Face& face : faces_) {
+    std::vector<const Wall*> walls;
+    for (const Face& face : faces_) {
       facets.push_back(face.facet);
-      face.grid.reserve();
+      walls.push_back(&scene.walls[face.wall]);
     }
     // The farthest a face is asked about: a place beyond its corner and beyond its layers.
     index_ =
         FacetIndex(facets, std::sqrt(static_cast<double>(dimension_)) * (thickness_ + spacing_));
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+      if (!faces_[k].no_slip) continue;
+      const WalledPart part = walled_part(k, facets, walls, index_, dimension_, spacing_);
+      faces_[k].grid = FaceGrid(facets[k], part, dimension_, spacing_, layers_);
+    }
   }
 
   WallDummies lay() {
@@ -87,10 +93,7 @@ class DummyLayout {
             message_start(scene, scene.walls[wall]), scene.walls[wall].name, length, spacing_));
       }
     }
-    if (face.no_slip) {
-      face.grid = FaceGrid(facet, dimension_, spacing_, layers_);
-      sites += FaceGrid::sites(facet, dimension_, spacing_, layers_);
-    }
+    if (face.no_slip) sites += FaceGrid::sites(facet, dimension_, spacing_, layers_);
     if (sites > most_particles()) {
       throw SceneError(fmt::format(
           "{}'{}': with it the walls have more than {:.3g} dummy particles at spacing {} m, the "
@@ -108,9 +111,9 @@ class DummyLayout {
   bool goes_through(const Face& face, const Site& site) const {
     const Vec3 foot = face.grid.position(site, 0.0),
                point = face.grid.position(site, face.grid.depth(site));
+    if (leaves_wall(foot, point)) return true;
     for (const Face* near : near_) {
       const Face& other = *near;
-      if (comes_out(other.facet, dimension_, foot, point, tolerance_)) return true;
       // Behind a face turned by less than 60 degrees the layers are never that close.
       if (!other.no_slip || dot(face.facet.normal, other.facet.normal) > 0.5) continue;
       const FacetCoordinates at = coordinates(other.facet, dimension_, point);
@@ -120,28 +123,38 @@ class DummyLayout {
     return false;
   }
 
+  bool leaves_wall(const Vec3& foot, const Vec3& point) const {
+    return std::any_of(near_.begin(), near_.end(), [&](const Face* face) {
+      return comes_out(face->facet, dimension_, foot, point, tolerance_);
+    });
+  }
+
   /// A site beyond the edges of its facet is wanted where, over each of these edges, another facet
   /// near it faces back (a concave corner), and unless it stands on the soil side of a no-slip
-  /// facet or close to it. Free edges stay as they are: a footing is not made wider. Returns
-  /// whether it is wanted; `open` keeps the edges that only a free-slip face closes that need not
-  /// be there.
+  /// facet or close to it, and not behind one that closes the corner. Free edges stay as they are:
+  /// a footing is not made wider. Returns whether it is wanted; `open` keeps the edges that only a
+  /// free-slip face closes that need not be there.
   bool closes_corner(const Face& face, const Site& site, SmoothCorner& open) const {
     const Vec3 point = face.grid.position(site, face.grid.depth(site));
     open.over = face.grid.outward(site);
     const Wall& own = scene_.walls[face.wall];
+    bool before_one = false, inside_one = false;
     for (const Face* near : near_) {
       const Face& other = *near;
-      if (other.no_slip) {
-        const FacetCoordinates at = coordinates(other.facet, dimension_, point);
-        const bool before = at.depth < closest_ && at.depth >= -thickness_;
-        if (before && at.above(other.facet, tolerance_)) return false;
-      }
+      const FacetCoordinates at = coordinates(other.facet, dimension_, point);
+      const bool above = at.above(other.facet, tolerance_);
+      before_one =
+          before_one || (other.no_slip && above && at.depth < closest_ && at.depth >= -thickness_);
       if (!reach_.is_near(other.facet, point)) continue;
-      if (!other.no_slip && !stay_together(own, scene_.walls[other.wall])) continue;
+      const bool may_leave = !other.no_slip && !stay_together(own, scene_.walls[other.wall]);
       for (Vec3& outward : open.over) {
-        if (CornerReach::faces_back(other.facet, outward)) outward = Vec3{};
+        if (!CornerReach::faces_back(other.facet, outward)) continue;
+        inside_one = inside_one || (above && at.depth > closest_ &&
+                                    !leaves_wall(plus(point, at.depth, other.facet.normal), point));
+        if (!may_leave) outward = Vec3{};
       }
     }
+    if (before_one && !inside_one) return false;
     return std::all_of(open.over.begin(), open.over.end(), [&](const Vec3& outward) {
       return outward == Vec3{} || may_be_closed(own, point, outward);
     });

@@ -27,19 +27,19 @@ int wall_layers(const Scene& scene);
 /// Layers of dummies behind every no-slip facet, spacing dx, first layer half a spacing behind the
 /// face. Free-slip faces have none, for the soil's images stand behind them; nor do they take a
 /// place from a no-slip wall that ends on, crosses or passes them.
-/// Columns are centred on the facet. At a concave corner (another facet of either kind faces back
-/// over the edge) the grid goes on beyond the facet by the thickness; free edges stay as they are.
-/// Where only a free-slip face that moves or goes closes the corner, these dummies stand while it
-/// is there. Convex corners stay clean: a site is dropped if the way to it from the face comes out
-/// of the wall through another facet or ends within a quarter spacing of a no-slip facet's back,
-/// or, beyond an edge, if it is on the soil side of another no-slip facet (inside its footprint and
-/// within the thickness). Sites in the cell of one already placed, or closer than half a spacing to
-/// it, are dropped; walls that neither move nor go are placed first. A dummy behind several faces
-/// belongs to the nearest plane; one above a facet asks only facets it is above, and one of a
-/// lasting wall only lasting walls. Time and memory are proportional to the number of sites, and
-/// to that of the facets but for a logarithm. Source: layout after Bui et al. 2008; numerics in
-/// kernels/EQUATIONS.md. Errors: SceneError if a facet is shorter than a spacing or the count
-/// exceeds what memory holds.
+/// Columns are centred on the facet, or on its part between walls that stand on it. At a concave
+/// corner (another facet of either kind faces back over the edge) the grid goes on beyond the facet
+/// by the thickness; free edges stay as they are. Where only a free-slip face that moves or goes
+/// closes the corner, these dummies stand while it is there. Convex corners stay clean: a site is
+/// dropped if the way to it from the face comes out of the wall through another facet or ends
+/// within a quarter spacing of a no-slip facet's back, or, beyond an edge, if it is on the soil
+/// side of another no-slip facet (inside its footprint and within the thickness). Sites in the cell
+/// of one already placed, or closer than half a spacing to it, are dropped; walls that neither move
+/// nor go are placed first. A dummy behind several faces belongs to the nearest plane; one above a
+/// facet asks only facets it is above, and one of a lasting wall only lasting walls. Time and
+/// memory are proportional to the number of sites, and to that of the facets but for a logarithm.
+/// Source: layout after Bui et al. 2008; numerics in kernels/EQUATIONS.md. Errors: SceneError if a
+/// facet is shorter than a spacing or the count exceeds what memory holds.
 WallDummies generate_dummies(const Scene& scene);
 
 }  // namespace scarp

@@ -15,13 +15,21 @@ double columns_along(double length, double spacing) { return std::ceil(length / 
 
 }  // namespace
 
-FaceGrid::FaceGrid(const Facet& facet, int dimension, double spacing, std::int64_t layers)
+FaceGrid::FaceGrid(const Facet& facet, const WalledPart& part, int dimension, double spacing,
+                   std::int64_t layers)
     : facet_(facet), dimension_(dimension), spacing_(spacing), layers_(layers) {
   const double lengths[2] = {facet.length_u, facet.length_v};
   for (std::size_t a = 0; a + 1 < static_cast<std::size_t>(dimension); ++a) {
-    columns_[a] = static_cast<std::int64_t>(std::min(columns_along(lengths[a], spacing), 1e15));
+    const auto [from, to] = part[a];
+    const double inside = columns_along(to - from, spacing);
+    // What reaches beyond the part: as many columns as fit best.
+    const auto nearest = [&](double rest) { return std::floor(rest / spacing + 0.5 + 1e-6); };
+    const double before = nearest(from), after = nearest(lengths[a] - to);
+    columns_[a] = static_cast<std::int64_t>(before + inside + after);
     margin_[a] = layers;
+    first_[a] = 0.5 * (from + to) - (before + 0.5 * (inside - 1.0)) * spacing;
   }
+  kept_.resize(static_cast<std::size_t>(extent(0) * extent(1) * layers_));
 }
 
 double FaceGrid::sites(const Facet& facet, int dimension, double spacing, std::int64_t layers) {
@@ -44,13 +52,6 @@ std::array<Vec3, 2> FaceGrid::outward(const Site& site) const {
     return plus({}, side, tangent);
   };
   return {over(site.u, columns_[0], facet_.tangent_u), over(site.v, columns_[1], facet_.tangent_v)};
-}
-
-/// Columns are centred on the facet, so that a rest of its length is shared by both ends.
-double FaceGrid::along(std::size_t axis, std::int64_t column) const {
-  const double length = axis == 0 ? facet_.length_u : facet_.length_v;
-  return 0.5 * length +
-         (static_cast<double>(column) - 0.5 * static_cast<double>(columns_[axis] - 1)) * spacing_;
 }
 
 Vec3 FaceGrid::position(const Site& site, double depth) const {

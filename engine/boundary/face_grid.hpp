@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "engine/boundary/walled_part.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace scarp {
@@ -21,12 +22,13 @@ struct Site {
 class FaceGrid {
  public:
   FaceGrid() = default;
-  /// Pre: the facet is a spacing long or longer.
-  FaceGrid(const Facet& facet, int dimension, double spacing, std::int64_t layers);
+  /// Columns are centred on `part` of the facet, so that a rest of its length is shared by both of
+  /// its ends. Pre: the part is a spacing long or longer.
+  FaceGrid(const Facet& facet, const WalledPart& part, int dimension, double spacing,
+           std::int64_t layers);
 
-  /// How many sites such a grid has; for any length of the facet.
+  /// How many sites such a grid has, or a few less; for any length of the facet.
   static double sites(const Facet& facet, int dimension, double spacing, std::int64_t layers);
-  void reserve() { kept_.resize(static_cast<std::size_t>(extent(0) * extent(1) * layers_)); }
 
   bool is_above(const Site& site) const {
     return site.u >= 0 && site.u < columns_[0] && site.v >= 0 && site.v < columns_[1];
@@ -61,7 +63,9 @@ class FaceGrid {
     const std::int64_t u = site.u + margin_[0], v = site.v + margin_[1];
     return static_cast<std::size_t>((u * extent(1) + v) * layers_ + site.layer);
   }
-  double along(std::size_t axis, std::int64_t column) const;
+  double along(std::size_t axis, std::int64_t column) const {
+    return first_[axis] + static_cast<double>(column) * spacing_;
+  }
 
   Facet facet_;
   int dimension_ = 2;
@@ -69,6 +73,7 @@ class FaceGrid {
   std::int64_t layers_ = 0;  ///< 0: no grid
   std::array<std::int64_t, 2> columns_{1, 1};
   std::array<std::int64_t, 2> margin_{0, 0};
+  std::array<double, 2> first_{0.0, 0.0};  ///< where column 0 is along each tangent [m]
   std::vector<bool> kept_;
 };
 

@@ -19,17 +19,19 @@ constexpr std::uint32_t leaf_size = 4;
 
 }  // namespace
 
-FacetIndex::FacetIndex(std::span<const Facet> facets, double reach) {
-  for (const Facet& facet : facets) {
-    const Vec3 u = plus({}, facet.length_u, facet.tangent_u),
-               v = plus({}, facet.length_v, facet.tangent_v);
-    Box box;
-    for (std::size_t a = 0; a < 3; ++a) {
-      box.low[a] = facet.origin[a] + std::min(u[a], 0.0) + std::min(v[a], 0.0) - reach;
-      box.high[a] = facet.origin[a] + std::max(u[a], 0.0) + std::max(v[a], 0.0) + reach;
-    }
-    boxes_.push_back(box);
+FacetIndex::Box FacetIndex::box_of(const Facet& facet, double margin) {
+  const Vec3 u = plus({}, facet.length_u, facet.tangent_u),
+             v = plus({}, facet.length_v, facet.tangent_v);
+  Box box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    box.low[a] = facet.origin[a] + std::min(u[a], 0.0) + std::min(v[a], 0.0) - margin;
+    box.high[a] = facet.origin[a] + std::max(u[a], 0.0) + std::max(v[a], 0.0) + margin;
   }
+  return box;
+}
+
+FacetIndex::FacetIndex(std::span<const Facet> facets, double reach) {
+  for (const Facet& facet : facets) boxes_.push_back(box_of(facet, reach));
   order_.resize(boxes_.size());
   std::iota(order_.begin(), order_.end(), 0U);
   if (!order_.empty()) split(0, static_cast<std::uint32_t>(order_.size()));
@@ -67,13 +69,20 @@ void FacetIndex::split(std::uint32_t begin, std::uint32_t end) {
 }
 
 void FacetIndex::near(const Vec3& point, std::vector<std::uint32_t>& found) const {
+  find({point, point}, found);
+}
+void FacetIndex::near(const Facet& facet, std::vector<std::uint32_t>& found) const {
+  find(box_of(facet, 0.0), found);
+}
+
+void FacetIndex::find(const Box& asked, std::vector<std::uint32_t>& found) const {
   found.clear();
   if (nodes_.empty()) return;
-  const auto holds = [&point](const Box& box) {
-    bool inside = true;
+  const auto holds = [&asked](const Box& box) {
+    bool meets = true;
     for (std::size_t a = 0; a < 3; ++a)
-      inside = inside && point[a] >= box.low[a] && point[a] <= box.high[a];
-    return inside;
+      meets = meets && asked.high[a] >= box.low[a] && asked.low[a] <= box.high[a];
+    return meets;
   };
   std::array<std::uint32_t, 64> waiting{};  // halves of halves of fewer than 2^32 facets
   std::size_t count = 1;

@@ -20,6 +20,8 @@ class FacetIndex {
   /// Puts into `found`, in ascending order, the number of every facet whose box, parallel to the
   /// axes, is within `reach` of the point along each axis: all that are within it, and some more.
   void near(const Vec3& point, std::vector<std::uint32_t>& found) const;
+  /// The same for every facet whose box is within reach of that of `facet`.
+  void near(const Facet& facet, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Box {
@@ -30,7 +32,9 @@ class FacetIndex {
     Box box;
     std::uint32_t right = 0, begin = 0, end = 0;
   };
+  static Box box_of(const Facet& facet, double margin);
   void split(std::uint32_t begin, std::uint32_t end);
+  void find(const Box& asked, std::vector<std::uint32_t>& found) const;
 
   std::vector<Box> boxes_;  ///< of the facets, widened by the reach
   std::vector<std::uint32_t> order_;

@@ -56,8 +56,9 @@ bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
 void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
                           const std::vector<Vec3>& wall_offset, const PointSpan& soil,
                           std::span<const SlotRange> ranges, std::span<const double> k0,
-                          double reach) {
+                          double reach, double close) {
   images_.clear();
+  close_.clear();
   for (auto& axis : position_) axis.clear();
   for (std::size_t w = 0; w < scene.walls.size(); ++w) {
     if (scene.walls[w].kind != WallKind::free_slip || !stands[w]) continue;
@@ -70,6 +71,10 @@ void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
         // Soil that has come a little behind the face keeps its image, which pushes it back.
         if (distance > reach || distance < -0.125 * reach || !in_footprint(facet, from, margin))
           return;
+        if (source >= 0 && distance <= close) {
+          close_.resize(static_cast<std::size_t>(ranges.back().end), 0);
+          close_[static_cast<std::size_t>(source)] = 1;
+        }
         images_.push_back({source, w, facet.normal, facet.origin, lateral});
         for (std::size_t a = 0; a < 3; ++a)
           position_[a].push_back(x[a] - 2.0 * distance * facet.normal[a]);
@@ -89,6 +94,12 @@ void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
       }
     }
   }
+}
+
+bool MirrorImages::is_close(std::int64_t slot, std::int64_t count) const {
+  const auto last = std::min(slot + count, static_cast<std::int64_t>(close_.size()));
+  return slot < last && std::any_of(close_.begin() + slot, close_.begin() + last,
+                                    [](std::uint8_t close) { return close != 0; });
 }
 
 void MirrorImages::pack(Records& records, double inverse_smoothing_length,

@@ -21,10 +21,12 @@ namespace scarp {
 class MirrorImages {
  public:
   /// Soil within `reach` in front of a standing free-slip facet and inside its footprint, then the
-  /// images of images across the facets that follow. `k0` has a value for each range.
+  /// images of images across the facets that follow. `k0` has a value for each range. Soil within
+  /// `close` of such a facet is kept in mind.
   void select(const Scene& scene, const std::vector<bool>& stands,
               const std::vector<Vec3>& wall_offset, const PointSpan& soil,
-              std::span<const SlotRange> ranges, std::span<const double> k0, double reach);
+              std::span<const SlotRange> ranges, std::span<const double> k0, double reach,
+              double close);
 
   std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
   PointSpan points() const {
@@ -33,6 +35,9 @@ class MirrorImages {
   std::size_t wall_of(std::int64_t image) const {
     return images_[static_cast<std::size_t>(image)].wall;
   }
+
+  /// Whether any of these slots was within `close` of a free-slip face at the last selection.
+  bool is_close(std::int64_t slot, std::int64_t count) const;
 
   /// Records of the images from those of their sources.
   void pack(Records& records, double inverse_smoothing_length, const std::vector<Vec3>& wall_offset,
@@ -51,6 +56,7 @@ class MirrorImages {
   };
   std::vector<Image> images_;
   AlignedVector<double> position_[3];
+  std::vector<std::uint8_t> close_;  ///< by soil slot; empty: none
 };
 
 }  // namespace scarp

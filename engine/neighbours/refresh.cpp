@@ -90,8 +90,10 @@ void build_lists(State& state) {
   // Dummies beside a plane need the images their own stress is taken from: twice the reach of the
   // soil.
   const double image_reach = state.walls.count() > 0 ? 2.0 * reach : reach;
-  state.images.select(state.scene, state.wall_stands, state.wall_offset, points_of(state.particles),
-                      ranges, k0, image_reach);
+  state.images.select(
+      state.scene, state.wall_stands, state.wall_offset, points_of(state.particles), ranges, k0,
+      image_reach,
+      hold_off_distance(state.scene.spacing) + state.scene.numerics.skin * state.smoothing_length);
   state.records.resize_images(state.images.count());
   NeighbourLists::Input input;
   input.points = points_of(state.particles);

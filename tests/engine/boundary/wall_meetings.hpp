@@ -76,7 +76,9 @@ inline Scene basin(const Meeting& m) {
   const double slant = 1.0 / std::tan(m.angle * std::numbers::pi / 180.0);
   const double lean = std::abs(slant) < 1e-12 ? 0.0 : slant;
   scene.bodies = {{0, Polygon{{{0, 0}, {w, 0}, {w, h}, {lean * h, h}}, {}}, {}}};
-  const double top = h + m.sides_above * dx, low = shift - m.side_beyond * dx;
+  const double top = h + m.sides_above * dx, reach = m.side_beyond * dx;
+  const double low = shift - reach,
+               left_low = shift - reach * std::sin(m.angle * std::numbers::pi / 180.0);
   const auto left_at = [&](double y) { return shift + lean * (y - shift); };
   std::vector<Wall> walls;
   const double from = left_at(shift) - m.base_beyond * dx, to = shift + width + m.base_beyond * dx;
@@ -87,7 +89,8 @@ inline Scene basin(const Meeting& m) {
     walls.push_back(wall_of("base", m.base, {facet_2d(from, shift, middle + half, shift)}));
     walls.push_back(wall_of("second", m.second, {facet_2d(middle - half, shift, to, shift)}));
   }
-  walls.push_back(wall_of("left", m.left, {facet_2d(left_at(top), top, left_at(low), low)}));
+  walls.push_back(
+      wall_of("left", m.left, {facet_2d(left_at(top), top, left_at(left_low), left_low)}));
   walls.push_back(wall_of("right", m.right, {facet_2d(shift + width, low, shift + width, top)}));
   if (m.plate) {
     Wall plate =
@@ -163,7 +166,22 @@ inline Outcome run_basin(const Meeting& m) {
   return outcome;
 }
 
-/// The full product of what can be told apart; the first `reference` of each is drawn exactly.
+/// The same kinds, angle, soil and plate, with walls that meet exactly.
+inline Meeting exact(const Meeting& m) {
+  Meeting plain;
+  plain.base = m.base;
+  plain.left = m.left;
+  plain.right = m.right;
+  plain.angle = m.angle;
+  plain.sand = m.sand;
+  plain.plate = m.plate;
+  plain.plate_kind = m.plate_kind;
+  return plain;
+}
+
+/// Every two and three walls of any two kinds, in every way in which they meet: exactly, as a T or
+/// an X, with a gap or an overlap, acute, right or obtuse, off the lattice of the soil, drawn in
+/// one wall or several and in either order, and with a plate that moves past the sides.
 inline std::vector<Meeting> all_meetings() {
   constexpr WallKind kinds[] = {WallKind::no_slip, WallKind::free_slip};
   std::vector<Meeting> all;

@@ -12,6 +12,7 @@
 #include "engine/integrate/lattice_sums.hpp"
 #include "engine/parallel.hpp"
 #include "engine/particles/generate.hpp"
+#include "engine/particles/soil_above.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/state.hpp"
 #include "kernels/constitutive/list.hpp"
@@ -81,6 +82,17 @@ std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) 
   return used;
 }
 
+/// Under a pressure along gravity, with K0 of it across: xx, yy, zz, xy, yz, zx.
+std::array<double, 6> geostatic_stress(double pressure, double k0, const Vec3& up) {
+  std::array<double, 6> stress{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t b = (a + 1) % 3;
+    stress[a] = -pressure * (k0 + (1.0 - k0) * up[a] * up[a]);
+    if (up[a] * up[b] != 0.0) stress[a + 3] = -pressure * (1.0 - k0) * up[a] * up[b];
+  }
+  return stress;
+}
+
 void fill_particles(State& state, const SoilPoints& soil) {
   const Scene& scene = state.scene;
   const int dimension = scene.dimension;
@@ -94,10 +106,10 @@ void fill_particles(State& state, const SoilPoints& soil) {
   }
   state.particles = ParticleBuffers(dimension, groups, used_fields(scene, state.kernels));
   ParticleBuffers& p = state.particles;
-  std::vector<double> depth;
-  if (scene.initial_stress == InitialStress::geostatic) depth = depth_below_surface(scene, soil);
-  const Vec3& g = scene.gravity;
-  const double weight = std::hypot(g[0], g[1], g[2]);
+  std::vector<SoilAbove> above;
+  if (scene.initial_stress == InitialStress::geostatic)
+    above = soil_above(scene, soil, state.threads);
+  const Vec3 up = upward(scene);
   for (const ParticleGroup& group : groups) {
     const Material& material = scene.materials[group.material];
     const double k0 = state.material_constants[group.material].k0;
@@ -111,16 +123,11 @@ void fill_particles(State& state, const SoilPoints& soil) {
         p.component(Field::reference_position, a)[slot] = soil.position[id][axis];
         p.component(Field::velocity, a)[slot] = soil.velocity[id][axis];
       }
-      if (!depth.empty()) {
-        const double vertical = -material.density * weight * depth[id];
-        for (int c = 0; c < 3; ++c) {
-          const double along = weight > 0.0 ? g[static_cast<std::size_t>(c)] / weight : 0.0;
-          p.component(Field::stress, c)[slot] = vertical * (k0 + (1.0 - k0) * along * along);
-        }
-      } else if (scene.initial_stress == InitialStress::uniform) {
-        for (int c = 0; c < (dimension == 2 ? 4 : 6); ++c) {
-          p.component(Field::stress, c)[slot] = scene.uniform_stress[static_cast<std::size_t>(c)];
-        }
+      std::array<double, 6> stress = scene.uniform_stress;
+      if (!above.empty()) stress = geostatic_stress(above[id].pressure, k0, up);
+      if (scene.initial_stress != InitialStress::zero) {
+        for (int c = 0; c < (dimension == 2 ? 4 : 6); ++c)
+          p.component(Field::stress, c)[slot] = stress[static_cast<std::size_t>(c)];
       }
       ++slot;
     }
@@ -190,8 +197,7 @@ kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Mat
   c.diffusion_cap = is_plastic(material) ? n.stress_diffusion : 0.0;
   c.diffusion_shear_gate = n.diffusion_shear_gate;
   std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
-  const double poisson = material.parameters[1];
-  c.k0 = scene.initial_k0 >= 0.0 ? scene.initial_k0 : poisson / (1.0 - poisson);
+  c.k0 = k0_of(scene, material);
   c.gradient_correction = n.gradient_correction;
   c.hughes_winget = n.stress_rotation == StressRotation::hughes_winget;
   c.plasticity = static_cast<int>(n.plasticity);
@@ -202,10 +208,8 @@ void set_material_constants(State& state) {
   const Stage& stage = state.scene.stages[state.stage.index];
   state.material_constants.clear();
   for (const Material& material : state.scene.materials) {
-    const auto own = stage.material_strength_reduction.find(material.name);
-    const double reduction =
-        own != stage.material_strength_reduction.end() ? own->second : stage.strength_reduction;
-    state.material_constants.push_back(stress_pass_constants(state.scene, material, reduction));
+    state.material_constants.push_back(
+        stress_pass_constants(state.scene, material, reduction_of(stage, material)));
   }
 }
 

@@ -3,20 +3,61 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "engine/state.hpp"
 
 namespace scarp {
 namespace {
 
-/// Time in which a change is felt through the whole soil: a passage of a wave.
-double wave_passage(const State& state) {
-  double slowest = std::numeric_limits<double>::infinity();
+/// Height of each particle's centre along gravity and its material; without gravity along the last
+/// axis.
+std::vector<std::pair<double, std::size_t>> levels(const State& state) {
+  const Vec3& g = state.scene.gravity;
+  const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+  std::vector<std::pair<double, std::size_t>> found;
   for (const ParticleGroup& group : state.particles.groups()) {
-    slowest = std::min(slowest, std::sqrt(state.scaling.wave_modulus[group.material] /
-                                          state.scene.materials[group.material].density));
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      double up = 0.0;
+      for (int a = 0; a < state.scene.dimension; ++a) {
+        const double share =
+            size > 0.0 ? -g[static_cast<std::size_t>(a)] / size : (a == state.scene.dimension - 1);
+        up += share * state.particles.component(Field::position, a)[k];
+      }
+      found.emplace_back(up, group.material);
+    }
   }
-  return soil_height(state) / slowest;
+  return found;
+}
+
+/// The tallest stretch of soil without a gap along gravity beyond 2h, across which nothing acts:
+/// what hangs in the air is no part of the ground below.
+struct Stretch {
+  double height = 0.0;   ///< [m]
+  double passage = 0.0;  ///< of a wave at the speed in its slowest material [s]
+};
+
+Stretch tallest_stretch(const State& state) {
+  std::vector<std::pair<double, std::size_t>> all = levels(state);
+  std::sort(all.begin(), all.end());
+  Stretch tallest;
+  for (std::size_t first = 0, k = 0; k < all.size(); ++k) {
+    const bool ends =
+        k + 1 == all.size() || all[k + 1].first - all[k].first > 2.0 * state.smoothing_length;
+    if (!ends) continue;
+    double slowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first; i <= k; ++i) {
+      const std::size_t m = all[i].second;
+      slowest = std::min(
+          slowest, std::sqrt(state.scaling.wave_modulus[m] / state.scene.materials[m].density));
+    }
+    const double height = all[k].first - all[first].first + state.scene.spacing;
+    tallest.height = std::max(tallest.height, height);
+    tallest.passage = std::max(tallest.passage, height / slowest);
+    first = k + 1;
+  }
+  return tallest;
 }
 
 /// Zero velocity, displacement and plastic strain; stress, density and positions stay.
@@ -74,22 +115,9 @@ void update_walls(State& state, const std::string& stage) {
 }  // namespace
 
 double soil_height(const State& state) {
-  const Vec3& g = state.scene.gravity;
-  const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ParticleGroup& group : state.particles.groups()) {
-    for (std::int64_t k = group.first; k < group.end(); ++k) {
-      double up = 0.0;
-      for (int a = 0; a < state.scene.dimension; ++a) {
-        const double share =
-            size > 0.0 ? -g[static_cast<std::size_t>(a)] / size : (a == state.scene.dimension - 1);
-        up += share * state.particles.component(Field::position, a)[k];
-      }
-      low = std::min(low, up);
-      high = std::max(high, up);
-    }
-  }
-  return high - low + state.scene.spacing;
+  const auto all = levels(state);
+  const auto [low, high] = std::minmax_element(all.begin(), all.end());
+  return high->first - low->first + state.scene.spacing;
 }
 
 void enter_stage(State& state, std::size_t index) {
@@ -101,7 +129,8 @@ void enter_stage(State& state, std::size_t index) {
   update_walls(state, stage.name);
   set_material_constants(state);
   const bool automatic = stage.damping < 0.0;
-  const double passage = wave_passage(state);
+  // A change is felt through the whole soil in a passage of a wave.
+  const auto [height, passage] = tallest_stretch(state);
   // pi c_p / (2 H) is the circular frequency of a column's first mode: critical within a factor of
   // two.
   state.stage.damping = !automatic ? stage.damping
@@ -109,7 +138,7 @@ void enter_stage(State& state, std::size_t index) {
                             ? std::numbers::pi / (2.0 * passage)
                             : 0.0;
   const Vec3& g = state.scene.gravity;
-  const double fall = std::sqrt(soil_height(state) / std::max(std::hypot(g[0], g[1], g[2]), 1e-12));
+  const double fall = std::sqrt(height / std::max(std::hypot(g[0], g[1], g[2]), 1e-12));
   state.stage.rest_window = state.stage.damping > 0.0 ? 4.0 * passage : fall;
   state.stage.start_speed = fastest(state);
   state.clock.restart = true;

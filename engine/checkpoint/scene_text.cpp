@@ -130,6 +130,7 @@ std::string scene_text(const Scene& scene) {
     lines.add("model", material.model);
     lines.add("density", material.density);
     lines.add("parameters", material.parameters);
+    lines.add("k0", material.k0);
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Lattice fill of the bodies, column by column, and the depth below the surface.
+/// Lattice fill of the bodies, column by column.
 #include "engine/particles/generate.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 
 #include "engine/errors.hpp"
 #include "engine/particles/particle_limit.hpp"
@@ -199,52 +198,8 @@ class LatticeFill {
   std::vector<Sites> sites_, taken_, rest_;
 };
 
-using ColumnKey = std::array<std::int64_t, 2>;
-struct ColumnHash {
-  std::size_t operator()(const ColumnKey& key) const {
-    const auto i = static_cast<std::uint64_t>(key[0]), j = static_cast<std::uint64_t>(key[1]);
-    return (i * 0x9E3779B97F4A7C15ULL) ^ (j * 0xC2B2AE3D27D4EB4FULL);
-  }
-};
-
 }  // namespace
 
 SoilPoints generate_soil(const Scene& scene) { return LatticeFill(scene).fill(); }
-
-std::vector<double> depth_below_surface(const Scene& scene, const SoilPoints& soil) {
-  std::vector<double> depth(soil.position.size(), 0.0);
-  std::vector<std::size_t> along, across;
-  for (std::size_t a = 0; a < static_cast<std::size_t>(scene.dimension); ++a) {
-    (scene.gravity[a] != 0.0 ? along : across).push_back(a);
-  }
-  if (along.empty() || soil.position.empty()) return depth;
-  if (along.size() > 1) {
-    throw SceneError(fmt::format(
-        "gravity {}: no depth is defined because it does not point along one axis. Try initial "
-        "stress \"zero\", or gravity along an axis.",
-        point_text(scene.gravity, scene.dimension)));
-  }
-  const std::size_t axis = along[0];
-  const double up = scene.gravity[axis] < 0.0 ? 1.0 : -1.0;
-  const auto key = [&](const Vec3& position) {
-    ColumnKey column{};
-    for (std::size_t k = 0; k < across.size(); ++k) {
-      const double offset = position[across[k]] - soil.position[0][across[k]];
-      column[k] = std::llround(offset / scene.spacing);
-    }
-    return column;
-  };
-  std::unordered_map<ColumnKey, double, ColumnHash> highest;
-  for (const Vec3& position : soil.position) {
-    const double height = up * position[axis];
-    const auto [entry, added] = highest.try_emplace(key(position), height);
-    if (!added) entry->second = std::max(entry->second, height);
-  }
-  for (std::size_t k = 0; k < depth.size(); ++k) {
-    const Vec3& position = soil.position[k];
-    depth[k] = highest.find(key(position))->second - up * position[axis] + 0.5 * scene.spacing;
-  }
-  return depth;
-}
 
 }  // namespace scarp

@@ -23,9 +23,4 @@ struct SoilPoints {
 /// memory can hold.
 SoilPoints generate_soil(const Scene& scene);
 
-/// Vertical effective initial stress: for each particle the depth of its centre below the highest
-/// particle (plus half a spacing) of its lattice column, measured along gravity [m]. Errors:
-/// SceneError unless gravity is along one axis.
-std::vector<double> depth_below_surface(const Scene& scene, const SoilPoints& soil);
-
 }  // namespace scarp

@@ -64,7 +64,7 @@ double read_density(const Table& material, const Vec3& gravity) {
 Material read_material(const Value& item, const Scene& scene) {
   if (!item.is_table()) item.table({"name"});
   const kernels::ModelInfo& model = read_model(item);
-  Keys known = {"name", "model", "density", "unit_weight"};
+  Keys known = {"name", "model", "density", "unit_weight", "k0"};
   for (const auto& spec : model.parameters) known.push_back(spec.name);
   const Table table = item.table(known);
 
@@ -72,6 +72,10 @@ Material read_material(const Value& item, const Scene& scene) {
   material.name = table.require("name", "\"clay\"").text();
   material.model = model.name;
   material.density = read_density(table, scene.gravity);
+  if (const auto k0 = table.find("k0")) {
+    material.k0 = k0->number(kernels::Unit::none);
+    if (!(material.k0 >= 0.0)) k0->fail("it is negative. Try 0.5, or without it.");
+  }
   for (const auto& spec : model.parameters) {
     const double fallback = scene.dimension == 3 ? spec.default_value_3d : spec.default_value;
     const auto value = table.find(spec.name);

@@ -81,6 +81,7 @@ struct Material {
   std::string model = "drucker_prager";
   double density = 0.0;            ///< reference density [kg/m3]
   std::vector<double> parameters;  ///< in the order the model declares, SI
+  double k0 = -1.0;  ///< horizontal over vertical stress; negative: `Scene::initial_k0`
 };
 
 struct Polygon {  ///< 2D outline, or in 3D its extrusion along y
@@ -197,6 +198,13 @@ struct Scene {
 /// line if it was made in code.
 std::string message_start(const Scene& scene, const Body& body);
 std::string message_start(const Scene& scene, const Wall& wall);
+
+/// Horizontal over vertical stress of a material at rest: its own, else that of the scene, else
+/// nu/(1 - nu). Geostatic stress, stress diffusion and mirror images take it.
+double k0_of(const Scene& scene, const Material& material);
+
+/// What a stage divides the strength of a material by.
+double reduction_of(const Stage& stage, const Material& material);
 
 /// The rows of the named preset ("paper" or "modern"); throws SceneError for another name.
 Numerics preset(const std::string& name);

@@ -82,6 +82,7 @@ void check_material(const Material& material, const std::string& path) {
        fmt::format("{} values", material.parameters.size()),
        fmt::format("model {} has {} parameters. Try to give each of them.", material.model,
                    specs.size()));
+  inside(material.k0, -10.0, 10.0, path + ".k0");
   double friction = std::nan("");
   for (std::size_t p = 0; p < specs.size(); ++p) {
     const auto& spec = specs[p];
@@ -131,11 +132,8 @@ void check_stage_name(const Scene& scene, const std::string& name, const std::st
 void check_initial(const Scene& scene) {
   for (const double value : scene.uniform_stress) inside(value, -1e15, 1e15, "initial.uniform");
   if (scene.initial_stress != InitialStress::geostatic) return;
-  int along = 0;
-  for (const double g : scene.gravity) along += g != 0.0;
-  rule(along == 1, "initial.stress", "\"geostatic\"",
-       "gravity does not point along one axis, so no depth is defined. Try \"zero\", or gravity "
-       "along an axis.");
+  rule(scene.gravity != Vec3{}, "initial.stress", "\"geostatic\"",
+       "gravity is 0, so nothing has weight. Try \"zero\", or gravity = [0, -9.81].");
   inside(scene.initial_k0, -10.0, 10.0, "initial.k0");
 }
 
@@ -157,6 +155,18 @@ std::string message_start(const Scene& scene, const Body& body) {
 }
 std::string message_start(const Scene& scene, const Wall& wall) {
   return start_of(scene, scene.walls, wall, "wall");
+}
+
+double k0_of(const Scene& scene, const Material& material) {
+  if (material.k0 >= 0.0) return material.k0;
+  if (scene.initial_k0 >= 0.0) return scene.initial_k0;
+  const double poisson = material.parameters[1];
+  return poisson / (1.0 - poisson);
+}
+
+double reduction_of(const Stage& stage, const Material& material) {
+  const auto own = stage.material_strength_reduction.find(material.name);
+  return own != stage.material_strength_reduction.end() ? own->second : stage.strength_reduction;
 }
 
 void validate(const Scene& scene) {

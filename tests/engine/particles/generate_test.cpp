@@ -307,45 +307,5 @@ TEST(GenerateSoilTest, TooSmallASpacingIsRefusedBeforeMemoryIsTaken) {
   }
 }
 
-TEST(DepthBelowSurfaceTest, CountsFromTheTopOfEachColumn) {
-  const Scene scene = scene_of(2, 0.25, {{0, Polygon{slope, {}}, {}}});
-  const SoilPoints soil = generate_soil(scene);
-  const std::vector<double> depth = depth_below_surface(scene, soil);
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    const double x = soil.position[i][0], y = soil.position[i][1];
-    const double surface = std::clamp(0.5 * (42.0 - x), 5.0, 15.0);
-    // The top particle stands for the surface to half a spacing.
-    EXPECT_NEAR(depth[i], surface - y, 0.125 + 1e-12);
-    if (x < 12.0) {
-      EXPECT_NEAR(depth[i], 15.0 - y, 1e-12);
-    }
-  }
-}
-
-TEST(DepthBelowSurfaceTest, FollowsGravityAlongAnyAxisAndSense) {
-  Scene scene = scene_of(3, 0.5, {{0, Box{{0, 0, 0}, {2, 3, 4}}, {}}});
-  const SoilPoints soil = generate_soil(scene);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const double sense : {-1.0, 1.0}) {
-      scene.gravity = {};
-      scene.gravity[axis] = sense * 9.81;
-      const std::vector<double> depth = depth_below_surface(scene, soil);
-      const double top = sense < 0.0 ? 2.0 + static_cast<double>(axis) : 0.0;
-      for (std::size_t i = 0; i < depth.size(); ++i) {
-        EXPECT_NEAR(depth[i], std::abs(top - soil.position[i][axis]), 1e-12);
-      }
-    }
-  }
-}
-
-TEST(DepthBelowSurfaceTest, WithoutGravityIsZeroAndObliqueGravityIsRefused) {
-  Scene scene = scene_of(2, 0.5, {{0, Box{{0, 0, 0}, {2, 2, 0}}, {}}});
-  const SoilPoints soil = generate_soil(scene);
-  scene.gravity = {};
-  EXPECT_EQ(depth_below_surface(scene, soil), std::vector<double>(16, 0.0));
-  scene.gravity = {1.0, -9.81, 0.0};
-  EXPECT_THROW(depth_below_surface(scene, soil), SceneError);
-}
-
 }  // namespace
 }  // namespace scarp

@@ -190,6 +190,9 @@ inline constexpr BadScene bad_scenes[] = {
     {in_3d, "artificial_stress_exponent = \"auto\"", "artificial_stress_exponent = 0.1", 15,
      "more than 1 %. Try an exponent between 0.5 and 4"},
     {in_3d, "k0 = 0.5", "k0 = -0.5", 86, "it is negative"},
+    {in_2d, "density = 2000.0", "density = 2000.0\nk0 = -0.5", 11,
+     "key 'material[0].k0' = -0.5: it is negative"},
+    {in_2d, "density = 2000.0", "density = 2000.0\nk0 = 11", 11, "outside"},
     {in_3d, "stress = \"geostatic\"", "stress = \"zero\"", 86, "needs stress = \"geostatic\""},
     {in_2d, "stress = \"geostatic\"", "stress = \"uniform\"", 27,
      "key 'initial.uniform' is missing"},
@@ -204,7 +207,7 @@ inline constexpr BadScene bad_scenes[] = {
      "key 'body[1].velocity_field[1]' = 'w': at letter 1"},
     {in_3d, "velocity = [0, 0, \"-3 m/s\"]",
      "velocity = [0, 0, 1]\nvelocity_field = [\"x\", \"0\", \"0\"]", 50, "also has a velocity"},
-    {in_2d, "[0.0, -9.81]", "[1.0, -9.81]", 28, "gravity does not point along one axis"},
+    {in_2d, "[0.0, -9.81]", "[0.0, 0.0]", 28, "gravity is 0, so nothing has weight"},
     // references and names
     {in_2d, "material = \"clay\"", "material = \"cley\"", 19,
      "no [[material]] has this name. Did you mean 'clay'?"},

@@ -120,6 +120,16 @@ TEST(SceneReaderTest, ReadsEverySectionInThreeDimensions) {
   EXPECT_TRUE(scene.checkpoints.stop_on_error);
 }
 
+TEST(SceneReaderTest, K0IsTheMaterialsElseTheScenesElsePoissons) {
+  const Scene own =
+      read(replaced(everything_text, "density = \"1.8 t/m3\"", "density = \"1.8 t/m3\"\nk0 = 0.7"));
+  EXPECT_EQ(k0_of(own, own.materials[0]), 0.7);
+  EXPECT_EQ(k0_of(own, own.materials[1]), 0.5);
+  const Scene none = read(slope_text);
+  EXPECT_LT(none.materials[0].k0, 0.0);
+  EXPECT_DOUBLE_EQ(k0_of(none, none.materials[0]), 0.3 / 0.7);
+}
+
 TEST(SceneReaderTest, EveryRowOfThePresetsCanBeOverridden) {
   const Numerics n = read(everything_text).numerics;
   EXPECT_EQ(n.preset, "paper");

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// K0 against the yield surface, where the soil carries most.
+#include "engine/initial_stress_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/particles/soil_above.hpp"
+#include "kernels/constitutive/drucker_prager.hpp"
+
+namespace scarp {
+namespace {
+
+/// Pressure along gravity of each particle [Pa].
+std::vector<double> pressures(const Simulation& simulation) {
+  const Vec3 up = upward(simulation.scene());
+  const std::vector<double> stress = simulation.field("stress");
+  std::vector<double> pressure(stress.size() / 6);
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    const double* s = &stress[6 * i];
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::size_t b = (a + 1) % 3;
+      pressure[i] -= s[a] * up[a] * up[a] + 2.0 * s[a + 3] * up[a] * up[b];
+    }
+  }
+  return pressure;
+}
+
+}  // namespace
+
+RestRange rest_range(const Material& material, double reduction, double pressure) {
+  const kernels::ConeConstants cone =
+      kernels::DruckerPrager::reduced(material.parameters, reduction);
+  const double s = std::sqrt(3.0) * cone.alpha_phi, t = std::sqrt(3.0) * cone.k_c / pressure;
+  RestRange range;
+  range.active = std::max((1.0 - s - t) / (1.0 + 2.0 * s), 0.0);
+  range.passive =
+      2.0 * s < 1.0 ? (1.0 + s + t) / (1.0 - 2.0 * s) : std::numeric_limits<double>::infinity();
+  return range;
+}
+
+std::vector<std::string> initial_stress_warnings(const Simulation& simulation) {
+  const Scene& scene = simulation.scene();
+  std::vector<std::string> found;
+  if (scene.initial_stress != InitialStress::geostatic) return found;
+  const std::vector<double> pressure = pressures(simulation);
+  const std::vector<double> of = simulation.field("material");
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    if (material.model != kernels::DruckerPrager::name) continue;
+    const double reduction = reduction_of(scene.stages.front(), material);
+    const double k0 = k0_of(scene, material);
+    const auto holds = [&](double p) {
+      const RestRange range = rest_range(material, reduction, p);
+      constexpr double close = 1e-9;  // K0 on the surface itself is meant to be there
+      return k0 >= range.active - close && k0 <= range.passive + close;
+    };
+    std::size_t count = 0, outside = 0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (static_cast<std::size_t>(of[i]) != m || !(pressure[i] > 0.0)) continue;
+      ++count;
+      if (!holds(pressure[i])) ++outside;
+      most = std::max(most, pressure[i]);
+    }
+    if (outside == 0) continue;
+    const RestRange range = rest_range(material, reduction, most);
+    const double becomes = std::clamp(k0, range.active, range.passive);
+    found.push_back(fmt::format(
+        "material '{}': K0 = {:.3g}{} is outside its yield surface in {:.0f} % of its soil. At its "
+        "deepest, under {:.3g} kPa, the cone bears {:.3g} to {:.3g}, so K0 becomes {:.3g} there as "
+        "it settles. Try k0 = {:.3g}, or a stronger soil (strength_reduction below 1) in stage "
+        "'{}'.",
+        material.name, k0,
+        material.k0 < 0.0 && scene.initial_k0 < 0.0 ? ", which is nu/(1 - nu)," : "",
+        100.0 * static_cast<double>(outside) / static_cast<double>(count), 1e-3 * most,
+        range.active, range.passive, becomes, becomes, scene.stages.front().name));
+  }
+  return found;
+}
+
+}  // namespace scarp

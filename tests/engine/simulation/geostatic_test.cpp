@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Geostatic scenes stay where they are, and layers keep the K0 they were given.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/initial_stress_check.hpp"
+#include "tests/support/small_scenes.hpp"
+
+namespace scarp::test {
+namespace {
+
+constexpr double g = 9.81;
+
+Body box(std::size_t material, const Vec3& minimum, const Vec3& maximum) {
+  return {material, Box{minimum, maximum}, {}};
+}
+
+/// Smooth sides from (0, 0) to (width, height) on a base.
+std::vector<Wall> bin(double width, double height, WallKind base) {
+  return {wall_of("base", base, {facet_2d(0, 0, width, 0)}),
+          wall_of("sides", WallKind::free_slip,
+                  {facet_2d(width, 0, width, height), facet_2d(0, height, 0, 0)})};
+}
+
+double stiffness(const Material& m) {
+  const double nu = m.parameters[1];
+  return m.parameters[0] * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+}
+
+/// Peat over rock: the stress at the start, and that the column then stays.
+TEST(GeostaticTest, LightSoilOverHeavyRockStaysAtRest) {
+  Scene scene;
+  scene.spacing = 0.5;
+  scene.materials = {{"peat", "linear_elastic", 1000.0, {20e6, 0.3}},
+                     {"rock", "linear_elastic", 2600.0, {20e6, 0.3}}};
+  scene.bodies = {box(0, {0, 5, 0}, {4, 10, 0}), box(1, {0, 0, 0}, {4, 5, 0})};
+  scene.walls = bin(4, 14, WallKind::no_slip);
+  scene.initial_stress = InitialStress::geostatic;
+  scene.stages = {stage_for("wait", 0.5)};  // 8 passages of a wave
+  Simulation simulation(scene, {1, {}});
+  const std::vector<double> position = simulation.field("position");
+  const std::vector<double> stress = simulation.field("stress");
+  for (std::size_t i = 0; 3 * i < position.size(); ++i) {
+    const double y = position[3 * i + 1];
+    const double weight =
+        g * (1000.0 * (10.0 - std::max(y, 5.0)) + 2600.0 * (5.0 - std::min(y, 5.0)));
+    EXPECT_NEAR(stress[6 * i + 1], -weight, 1e-9 * weight);
+    EXPECT_NEAR(stress[6 * i], -0.3 / 0.7 * weight, 1e-9 * weight);
+    if (std::abs(y - 4.75) < 0.01) {
+      EXPECT_NEAR(weight, 55.4e3, 50.0);
+    }
+    if (std::abs(y - 0.25) < 0.01) {
+      EXPECT_NEAR(weight, 170.2e3, 50.0);
+    }
+  }
+  while (!simulation.finished()) simulation.step();
+  // What the lattice leaves out of balance is at most half a row's weight, at the top and where the
+  // densities meet: twice its settlement, as it comes at once.
+  const double most =
+      2.0 * g * 0.5 * 0.5 * (1000.0 + 1600.0) * 10.0 / stiffness(scene.materials[0]);
+  const std::vector<double> displacement = simulation.field("displacement");
+  for (const double u : displacement) EXPECT_LT(std::abs(u), most);
+}
+
+TEST(GeostaticTest, AHangingBoulderDoesNotThrowTheBedUp) {
+  Scene scene;
+  scene.spacing = 0.2;
+  scene.materials = {{"soil", "drucker_prager", 2000.0, {20e6, 0.3, 5e3, 0.5236, 0.0, 0.0}},
+                     {"boulder", "linear_elastic", 2600.0, {20e6, 0.3}}};
+  scene.bodies = {box(0, {0, 0, 0}, {6, 1, 0}), box(1, {2.4, 11, 0}, {3.6, 12, 0})};
+  scene.walls = bin(6, 14, WallKind::no_slip);
+  scene.initial_stress = InitialStress::geostatic;
+  scene.stages = {stage_for("fall", 0.1)};
+  Simulation simulation(scene, {1, {}});
+  const std::vector<double> position = simulation.field("position");
+  const std::vector<double> stress = simulation.field("stress");
+  for (std::size_t i = 0; 3 * i < position.size(); ++i) {
+    if (std::abs(position[3 * i + 1] - 0.9) < 0.01) {
+      EXPECT_NEAR(stress[6 * i + 1], -2000.0 * g * 0.1, 1e-6);
+    }
+  }
+  double fastest = 0.0;
+  while (!simulation.finished()) {
+    simulation.step();
+    const std::vector<double> velocity = simulation.field("velocity");
+    const std::vector<double> material = simulation.field("material");
+    for (std::size_t i = 0; i < material.size(); ++i) {
+      if (material[i] == 0.0) fastest = std::max(fastest, std::abs(velocity[3 * i + 1]));
+    }
+  }
+  // Half a row's weight out of balance at the top starts a wave of s/(rho c), doubled there.
+  const double c = std::sqrt(stiffness(scene.materials[0]) / 2000.0);
+  EXPECT_LT(fastest, 2.0 * g * 0.5 * scene.spacing / c);
+}
+
+/// What lies 100 m higher on a shelf is no part of the bed: it takes no part in how the bed is
+/// damped and how long it must be calm.
+TEST(GeostaticTest, ABlockOnAShelfAboveDoesNotSlowTheSettlingDown) {
+  Scene scene;
+  scene.spacing = 0.25;
+  scene.materials = {{"soil", "linear_elastic", 2000.0, {20e6, 0.3}}};
+  scene.bodies = {box(0, {0, 0, 0}, {2, 1, 0}), box(0, {0, 100, 0}, {2, 101, 0})};
+  scene.walls = bin(2, 2, WallKind::no_slip);
+  scene.walls.push_back(wall_of("shelf", WallKind::no_slip, {facet_2d(0, 100, 2, 100)}));
+  scene.walls.push_back(wall_of("shelf sides", WallKind::free_slip,
+                                {facet_2d(2, 100, 2, 102), facet_2d(0, 102, 0, 100)}));
+  scene.initial_stress = InitialStress::geostatic;
+  scene.stages = {stage_for("settle", 30.0), stage_for("after", 0.001)};
+  scene.stages[0].until = StageEnd::rest;
+  scene.stages[0].reset_after = true;
+  Simulation simulation(scene, {1, {}});
+  while (!simulation.stage_ended()) simulation.step();
+  EXPECT_TRUE(simulation.stage_reached_rest());
+  // With the whole extent of 101 m calm alone would have to last four passages over it.
+  const double c = std::sqrt(stiffness(scene.materials[0]) / 2000.0);
+  EXPECT_GE(simulation.last_step().stage_time, 4.0 * 1.0 / c);
+  EXPECT_LT(simulation.last_step().stage_time, 4.0 * 101.0 / c);
+}
+
+/// Sums of stress over the particles of a layer, as a ratio: horizontal over vertical.
+double mean_k0(const Simulation& simulation, double material) {
+  const std::vector<double> of = simulation.field("material");
+  const std::vector<double> stress = simulation.field("stress");
+  double across = 0.0, along = 0.0;
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    if (of[i] != material) continue;
+    across += stress[6 * i];
+    along += stress[6 * i + 1];
+  }
+  return across / along;
+}
+
+Stage until_rest() {
+  Stage settle = stage_for("settle", 30.0);
+  settle.until = StageEnd::rest;
+  settle.reset_after = true;
+  return settle;
+}
+
+TEST(GeostaticTest, ASettledStackOfLayersKeepsTheK0OfEach) {
+  for (const WallKind base : {WallKind::no_slip, WallKind::free_slip}) {
+    Scene scene;
+    scene.spacing = 0.125;
+    // Densities, stiffness and K0 all change from layer to layer; the strength holds them.
+    scene.materials = {{"peat", "drucker_prager", 1000.0, {5e6, 0.3, 50e3, 0.6, 0.0, 0.0}, 0.6},
+                       {"clay", "drucker_prager", 2000.0, {20e6, 0.4, 50e3, 0.6, 0.0, 0.0}, 1.0},
+                       {"rock", "linear_elastic", 2600.0, {100e6, 0.25}}};
+    scene.bodies = {box(0, {0, 2, 0}, {1, 3, 0}), box(1, {0, 1, 0}, {1, 2, 0}),
+                    box(2, {0, 0, 0}, {1, 1, 0})};
+    scene.walls = bin(1, 4, base);
+    scene.initial_stress = InitialStress::geostatic;
+    scene.initial_k0 = 0.45;  // of the rock, which has none of its own
+    scene.stages = {until_rest(), stage_for("after", 0.001)};
+    Simulation simulation(scene, {1, {}});
+    while (simulation.stage_index() == 0) simulation.step();
+    const double expected[] = {0.6, 1.0, 0.45};
+    for (std::size_t m = 0; m < 3; ++m) {
+      EXPECT_NEAR(mean_k0(simulation, static_cast<double>(m)), expected[m], 0.02 * expected[m])
+          << scene.materials[m].name;
+    }
+  }
+}
+
+/// Sand at phi = 30 deg with nu = 0.3 between smooth sides.
+Scene sand_bin(double cohesion, double k0) {
+  Scene scene;
+  scene.spacing = 0.125;
+  scene.materials = {{"sand", "drucker_prager", 1800.0, {20e6, 0.3, cohesion, 0.5236, 0, 0}, k0}};
+  scene.bodies = {box(0, {0, 0, 0}, {1, 2, 0})};
+  scene.walls = bin(1, 3, WallKind::free_slip);
+  scene.initial_stress = InitialStress::geostatic;
+  scene.stages = {until_rest(), stage_for("after", 0.001)};
+  return scene;
+}
+
+TEST(InitialStressTest, AK0OutsideTheConeIsToldWithWhatItBecomes) {
+  // 0.429 by nu/(1 - nu), below the active end; 6 is above the passive one.
+  for (const double k0 : {-1.0, 6.0}) {
+    Simulation simulation(sand_bin(0.0, k0), {1, {}});
+    const RestRange range = rest_range(simulation.scene().materials[0], 1.0, 1e3);
+    const double becomes = k0 < 0.0 ? range.active : range.passive;
+    EXPECT_NEAR(becomes, k0 < 0.0 ? 0.4648 : 2.869, 1e-3);  // (1 -+ s)/(1 +- 2 s), s = 0.27735
+    const std::vector<std::string> found = initial_stress_warnings(simulation);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].find(k0 < 0.0 ? "K0 becomes 0.465" : "K0 becomes 2.87"), std::string::npos)
+        << found[0];
+    EXPECT_EQ(found[0].find("nu/(1 - nu)") != std::string::npos, k0 < 0.0);
+    while (simulation.stage_index() == 0) simulation.step();
+    EXPECT_NEAR(mean_k0(simulation, 0.0), becomes, 0.02 * becomes);
+  }
+}
+
+TEST(InitialStressTest, CohesionAndAStrongerFirstStageWidenTheRange) {
+  // At the deepest, under 34.2 kPa, 0.429 needs t >= 0.0563: c >= 1.34 kPa.
+  EXPECT_EQ(initial_stress_warnings(Simulation(sand_bin(1.3e3, -1.0), {1, {}})).size(), 1u);
+  EXPECT_TRUE(initial_stress_warnings(Simulation(sand_bin(1.4e3, -1.0), {1, {}})).empty());
+  Scene strong = sand_bin(0.0, -1.0);
+  strong.stages[0].strength_reduction = 0.5;
+  EXPECT_TRUE(initial_stress_warnings(Simulation(strong, {1, {}})).empty());
+  EXPECT_TRUE(initial_stress_warnings(Simulation(sand_bin(0.0, 0.5), {1, {}})).empty());
+}
+
+TEST(InitialStressTest, ObliqueGravityTurnsTheStressWithIt) {
+  Scene scene = sand_bin(0.0, 0.5);
+  scene.gravity = {g * 0.6, -g * 0.8, 0.0};
+  const Simulation simulation(scene, {1, {}});
+  const std::vector<double> stress = simulation.field("stress");
+  const std::vector<double> position = simulation.field("position");
+  for (std::size_t i = 0; 3 * i < position.size(); ++i) {
+    const double x = position[3 * i], y = position[3 * i + 1];
+    const double p = 1800.0 * g * std::min((2.0 - y) / 0.8, x / 0.6);
+    const double close = 1800.0 * g * scene.spacing / 512.0;
+    EXPECT_NEAR(stress[6 * i], -p * (0.5 + 0.5 * 0.36), close);
+    EXPECT_NEAR(stress[6 * i + 1], -p * (0.5 + 0.5 * 0.64), close);
+    EXPECT_NEAR(stress[6 * i + 2], -p * 0.5, close);
+    EXPECT_NEAR(stress[6 * i + 3], p * 0.5 * 0.48, close);  // up is (-0.6, 0.8)
+  }
+}
+
+}  // namespace
+}  // namespace scarp::test

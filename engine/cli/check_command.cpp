@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "engine/cli/commands.hpp"
@@ -14,6 +15,8 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/trial.hpp"
 #include "engine/errors.hpp"
+#include "engine/fos/dilation_note.hpp"
+#include "engine/initial_stress_check.hpp"
 #include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
@@ -55,11 +58,17 @@ Json summary(const Simulation& simulation) {
             {"materials", Json::array()},
             {"stages", Json::array()},
             {"features", Json::array()},
-            {"warnings", warnings(scene)}};
+            {"warnings", warnings(scene)},
+            {"notes", Json::array()}};
+  const std::optional<std::string> dilation = dilation_note(scene);
+  if (dilation && looks_reducible(scene)) json["notes"].push_back(*dilation);
+  for (const std::string& warning : initial_stress_warnings(simulation))
+    json["warnings"].push_back(warning);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     json["materials"].push_back({{"name", scene.materials[m].name},
                                  {"model", scene.materials[m].model},
-                                 {"particles", count[m]}});
+                                 {"particles", count[m]},
+                                 {"k0", k0_of(scene, scene.materials[m])}});
   }
   for (const Stage& stage : scene.stages) {
     json["stages"].push_back({{"name", stage.name},
@@ -153,6 +162,7 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial,
   for (const Json& warning : json["warnings"]) {
     fmt::print("\nwarning: {}\n", warning.get<std::string>());
   }
+  for (const Json& note : json["notes"]) fmt::print("\nnote: {}\n", note.get<std::string>());
   if (!trial.failure.empty()) fmt::print("\nThe first steps already fail: {}\n", trial.failure);
 }
 

@@ -15,11 +15,13 @@
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/nearest_name.hpp"
+#include "kernels/constitutive/drucker_prager.hpp"
 
 namespace scarp::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using kernels::DruckerPrager;
 constexpr std::array<const char*, 6> components{"xx", "yy", "zz", "xy", "yz", "zx"};
 
 /// The one named, or the only one. Errors: UsageError.
@@ -82,8 +84,51 @@ Json json_of(const ElementSample& sample, bool plastic) {
   return json;
 }
 
+/// "at the end the deviator is ...", of the same test with one parameter changed.
+std::string changed_end(Scene scene, const ElementTest& test, const RunOptions& options,
+                        DruckerPrager::Index parameter, double value) {
+  scene.materials[test.material].parameters[parameter] = value;
+  const ElementSample end = run_element(scene, test, options).samples.back();
+  return fmt::format("q = {:.4g} kPa and a volumetric strain of {:.3g}", 1e-3 * deviator(end),
+                     end.volumetric_strain);
+}
+
+/// What the material is without having been asked to be, with the numbers of the alternative.
+std::vector<std::string> notes(const Scene& scene, const ElementTest& test,
+                               const RunOptions& options) {
+  std::vector<std::string> found;
+  const Material& material = scene.materials[test.material];
+  const auto& p = material.parameters;
+  if (material.model != DruckerPrager::name || p[DruckerPrager::friction_angle] == 0.0)
+    return found;
+  if (test.path == ElementPath::isotropic) return found;
+  const bool triaxial = test.path == ElementPath::triaxial;
+  const auto fitting =
+      static_cast<double>(triaxial ? kernels::Cone::outer : kernels::Cone::plane_strain);
+  constexpr std::array<const char*, 3> cones{"plane_strain", "outer", "inner"};
+  if (p[DruckerPrager::cone] != fitting) {
+    found.push_back(fmt::format(
+        "the cone is \"{}\"{}, which does not match Coulomb's strength in {}; with \"{}\", which "
+        "does, the test ends at {}.",
+        cones[static_cast<std::size_t>(p[DruckerPrager::cone])],
+        p[DruckerPrager::cone] == (scene.dimension == 2 ? 0.0 : 1.0)
+            ? fmt::format(", the default in {}D", scene.dimension)
+            : "",
+        triaxial ? "triaxial compression" : "plane strain",
+        cones[static_cast<std::size_t>(fitting)],
+        changed_end(scene, test, options, DruckerPrager::cone, fitting)));
+  }
+  if (p[DruckerPrager::dilation_angle] == 0.0) {
+    found.push_back(
+        fmt::format("dilation_angle is 0, the default; with psi = phi the test ends at {}.",
+                    changed_end(scene, test, options, DruckerPrager::dilation_angle,
+                                p[DruckerPrager::friction_angle])));
+  }
+  return found;
+}
+
 Json summary(const Scene& scene, const ElementTest& test, const ElementResult& result,
-             const std::string& table) {
+             const std::string& table, const std::vector<std::string>& notes) {
   const Material& material = scene.materials[test.material];
   Json json{{"format", "scarp element"},
             {"version", 1},
@@ -102,7 +147,9 @@ Json summary(const Scene& scene, const ElementTest& test, const ElementResult& r
             {"bulk_modulus", result.bulk_modulus},
             {"shear_modulus", result.shear_modulus},
             {"control_error", result.control_error},
-            {"table", table}};
+            {"table", table},
+            {"deviator", deviator(result.samples.back())},
+            {"notes", notes}};
   if (result.plastic) {
     json["alpha_phi"] = result.alpha_phi;
     json["k_c"] = result.k_c;
@@ -115,7 +162,7 @@ Json summary(const Scene& scene, const ElementTest& test, const ElementResult& r
 }
 
 void print(const Scene& scene, const ElementTest& test, const ElementResult& result,
-           const std::string& table) {
+           const std::string& table, const std::vector<std::string>& notes) {
   const ElementSample& end = result.samples.back();
   const auto line = [](std::string_view name, const std::string& value) {
     fmt::print("{:<18}{}\n", name, value);
@@ -137,6 +184,7 @@ void print(const Scene& scene, const ElementTest& test, const ElementResult& res
   for (std::size_t c = 0; c < component_count(result); ++c) {
     line(fmt::format("  stress {}", components[c]), kilopascal(end.stress[c]));
   }
+  line("  q", kilopascal(deviator(end)));
   line("  I1, sqrt J2", kilopascal(end.first_invariant) + ", " + kilopascal(end.root_j2));
   line("  vol. strain", fmt::format("{:.6g}", end.volumetric_strain));
   if (result.plastic) {
@@ -145,6 +193,7 @@ void print(const Scene& scene, const ElementTest& test, const ElementResult& res
                      end.plastic_volumetric_strain));
   }
   line("table", table);
+  for (const std::string& note : notes) fmt::print("note: {}\n", note);
 }
 
 }  // namespace
@@ -169,9 +218,11 @@ int element_command(const ElementArguments& arguments) {
     std::filesystem::create_directories(table.parent_path(), error);  // else the writer says so
   }
   write_table(table, result);
-  if (arguments.scene.json != "-") print(scene, test, result, table.string());
+  const std::vector<std::string> said = notes(scene, test, arguments.scene.options);
+  if (arguments.scene.json != "-") print(scene, test, result, table.string(), said);
   if (!arguments.scene.json.empty()) {
-    write_text(arguments.scene.json, summary(scene, test, result, table.string()).dump(2) + "\n");
+    write_text(arguments.scene.json,
+               summary(scene, test, result, table.string(), said).dump(2) + "\n");
   }
   return ok;
 }

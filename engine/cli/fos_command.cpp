@@ -16,6 +16,7 @@
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/failure_run.hpp"
+#include "engine/initial_stress_check.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/nearest_name.hpp"
@@ -89,16 +90,40 @@ fs::path output_folder(const FosArguments& arguments, const Scene& scene) {
              : fs::path(arguments.folder);
 }
 
-/// Settles, with its cost.
-bool settle(Simulation& simulation, FosReport& report, TrialProgress& progress) {
+/// Settles, with as much strength as the slope needs for it, and with the cost of all attempts.
+std::optional<StrengthReduction> settle(const Scene& scene, const FosArguments& arguments,
+                                        FosReport& report, TrialProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const bool settled = scarp::settle(simulation, std::ref(progress));
+  std::optional<StandingSlope> standing =
+      settle_standing(scene, arguments.scene.options, report.criterion, std::ref(progress),
+                      [&](double strengthening) {
+                        progress.end();
+                        if (arguments.quiet) return;
+                        fmt::print(stderr,
+                                   "the slope fails with the strength it settles with: once more "
+                                   "from the start, with {:g} times the scene's\n",
+                                   strengthening);
+                      });
   progress.end();
+  if (!standing) return {};
+  report.strengthening = standing->strengthening;
+  report.settle_time = standing->settle_time;
+  report.settled_at_rest = standing->slope.settled().stage_reached_rest();
+  const double elastic = standing->slope.elastic() ? standing->slope.elastic()->wall_s : 0.0;
   report.settle_wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report.settle_time = simulation.last_step().time;
-  report.settled_at_rest = simulation.stage_reached_rest();
-  return settled;
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() - elastic;
+  return std::move(standing->slope);
+}
+
+/// What is begun, from the scene as it starts.
+void announce(const Scene& scene, const FosArguments& arguments, const fs::path& folder) {
+  const Simulation start(scene, arguments.scene.options);
+  for (const std::string& warning : initial_stress_warnings(start))
+    fmt::print(stderr, "warning: {}\n", warning);
+  if (arguments.quiet) return;
+  fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
+             scene.title.empty() ? arguments.scene.file : scene.title, start.soil_count(),
+             start.wall_count(), start.isa(), start.threads(), folder.string());
 }
 
 }  // namespace
@@ -113,16 +138,12 @@ int fos_command(const FosArguments& arguments) {
   const fs::path folder = output_folder(arguments, scene);
   const FolderLock lock(folder);
   claim_folder(folder, Command::fos, scene, arguments.overwrite);
-  Simulation simulation(scene, arguments.scene.options);
-  if (!arguments.quiet) {
-    fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
-               scene.title.empty() ? arguments.scene.file : scene.title, simulation.soil_count(),
-               simulation.wall_count(), simulation.isa(), simulation.threads(), folder.string());
-  }
+  announce(scene, arguments, folder);
   catch_interrupts();
   TrialProgress progress(arguments.quiet);
-  if (!settle(simulation, report, progress)) return interrupted;
-  StrengthReduction slope(std::move(simulation), report.criterion);
+  std::optional<StrengthReduction> standing = settle(scene, arguments, report, progress);
+  if (!standing) return interrupted;
+  StrengthReduction& slope = *standing;
   CsvFile table(folder / "fos.csv", trial_titles());
   const auto done = [&](const FactorOfSafety& found, const Trial& trial) {
     progress.end();

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/cli/progress.hpp"
+#include "engine/fos/dilation_note.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -64,6 +65,13 @@ std::vector<std::string> notes(const FosReport& report, const Simulation& settle
         "what "
         "still moved counts as elastic response. Give that stage a longer duration.");
   }
+  if (report.strengthening > 1.0) {
+    found.push_back(
+        fmt::format("The slope fails with the strength that its settling stages give it. It was "
+                    "settled with {:g} times that strength, which the trials cut from there.",
+                    report.strengthening));
+  }
+  if (const auto note = dilation_note(scene, bracket.factor())) found.push_back(*note);
   const Stage& last = scene.stages.back();
   if (last.damping > 0.0) {
     found.push_back(fmt::format(
@@ -178,6 +186,7 @@ std::string fos_json(const FosReport& report, const Simulation& settled) {
             {"resolution", resolution_sentence(criterion, scene)},
             {"settle",
              {{"time", report.settle_time},
+              {"strengthening", report.strengthening},
               {"reached_rest", report.settled_at_rest},
               {"wall_s", report.settle_wall_s}}},
             {"elastic", json_of(report.found.elastic)},

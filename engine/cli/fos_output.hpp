@@ -15,7 +15,8 @@ struct FosReport {
   Criterion criterion;
   double settle_wall_s = 0.0, settle_time = 0.0;  ///< [s]
   bool settled_at_rest = false;
-  std::string failure;  ///< why the search did not reach its end; empty if it did
+  double strengthening = 1.0;  ///< of the stages it settled in, over what the scene gives them
+  std::string failure;         ///< why the search did not reach its end; empty if it did
 };
 
 /// "SRF 1.375: fails, 0.1 m after 2.1 s ..." and what is known by then.

@@ -101,7 +101,9 @@ CLI::App* add_element_command(CLI::App& app, ElementArguments& element) {
 
 CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
   CLI::App* command = app.add_subcommand(
-      "fos", "Factor of safety of a slope: cut its strength until it fails; leaves report.html");
+      "fos",
+      "Factor of safety of a slope: cut its strength until it fails; one that fails with its own "
+      "is settled with more first. Leaves report.html");
   add_scene_options(*command, fos.scene);
   add_spacing_option(*command, fos.scene);
   command
@@ -122,8 +124,9 @@ CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
   command->add_option("--probe", fos.probe,
                       "Probe whose displacement is judged; default the scene's first, else the "
                       "largest displacement");
-  command->add_option("--height", fos.height,
-                      "Height of the slope, e.g. \"10 m\"; default that of the ground");
+  command->add_option(
+      "--height", fos.height,
+      "Height of the slope, e.g. \"10 m\"; default that of the ground along gravity");
   command->add_option("-o,--out", fos.folder,
                       "Output folder; default out/<name of the scene file>_fos");
   add_overwrite_option(*command, fos.overwrite);

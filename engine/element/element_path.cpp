@@ -146,6 +146,15 @@ void check(const Scene& scene, const ElementTest& test) {
 
 }  // namespace
 
+double deviator(const ElementSample& sample) {
+  const auto& [xx, yy, zz, xy, yz, zx] = sample.stress;
+  Eigen::Matrix3d stress;
+  stress << xx, xy, zx, xy, yy, yz, zx, yz, zz;
+  const Eigen::Vector3d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress, Eigen::EigenvaluesOnly).eigenvalues();
+  return principal[2] - principal[0];
+}
+
 ElementResult run_element(const Scene& scene, const ElementTest& test, const RunOptions& options) {
   validate(scene);
   check(scene, test);

@@ -46,6 +46,9 @@ struct ElementSample {
   double plastic_volumetric_strain = 0.0;
 };
 
+/// Largest less least principal stress [Pa].
+double deviator(const ElementSample& sample);
+
 struct ElementResult {
   std::vector<ElementSample> samples;  ///< the start, then one for each step
   int dimension = 3;                   ///< of the stress pass

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Tops of the bodies' columns.
+/// Tops of the bodies' columns, or of the particles where gravity is oblique.
 
 #include "engine/fos/slope_height.hpp"
 
@@ -8,8 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "engine/errors.hpp"
+#include "engine/boundary/facet_geometry.hpp"
 #include "engine/particles/shapes.hpp"
+#include "engine/particles/soil_above.hpp"
 
 namespace scarp {
 namespace {
@@ -22,16 +23,39 @@ std::vector<double> grid(double low, double high, double step) {
   return points;
 }
 
+/// The ground is where a particle has no more than a spacing of soil above it and no wall there:
+/// what lies against a wall that hangs over, as every wall on the uphill side does, is none.
+double oblique_height(const Scene& scene) {
+  const SoilPoints soil = generate_soil(scene);
+  const std::vector<SoilAbove> above = soil_above(scene, soil, 1);
+  const Vec3 up = upward(scene);
+  const auto under_wall = [&](const Vec3& from, double reach) {
+    const Vec3 beyond = geometry::plus(from, reach, up);
+    return std::any_of(scene.walls.begin(), scene.walls.end(), [&](const Wall& wall) {
+      return std::any_of(wall.facets.begin(), wall.facets.end(), [&](const Facet& facet) {
+        return geometry::comes_out(facet, scene.dimension, beyond, from, 0.0);
+      });
+    });
+  };
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    const double thickness = above[i].thickness;
+    if (!(thickness <= scene.spacing)) continue;
+    if (under_wall(soil.position[i], thickness + scene.spacing)) continue;
+    const double top = geometry::dot(soil.position[i], up) + thickness;
+    low = std::min(low, top);
+    high = std::max(high, top);
+  }
+  return high > low ? high - low : 0.0;
+}
+
 }  // namespace
 
 double slope_height(const Scene& scene) {
   const bool plane = scene.dimension == 2;
   const Vec3& g = scene.gravity;
   const bool down = plane ? g[0] == 0.0 && g[1] < 0.0 : g[0] == 0.0 && g[1] == 0.0 && g[2] < 0.0;
-  if (!down) {
-    throw SceneError(
-        "the height of the slope cannot be told: gravity is not straight down. Give --height.");
-  }
+  if (!down) return oblique_height(scene);
   std::vector<ColumnShape> shapes;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) shapes.push_back(column_shape(scene, b));
   double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -6,8 +6,9 @@
 
 namespace scarp {
 
-/// From the lowest to the highest point of the ground as the scene draws it [m]: tops of the bodies
-/// over a grid of half a spacing in plan. Errors: SceneError if gravity is not straight down.
+/// From the lowest to the highest point of the ground along gravity [m]. Gravity straight down:
+/// tops of the bodies as drawn over a grid of half a spacing in plan. Any other direction: the free
+/// surface above the uppermost particles, less exact by up to a spacing.
 double slope_height(const Scene& scene);
 
 }  // namespace scarp

@@ -11,6 +11,7 @@
 #include <deque>
 
 #include "engine/errors.hpp"
+#include "engine/fos/displacement.hpp"
 
 namespace scarp {
 namespace {
@@ -26,8 +27,6 @@ constexpr int ramp_steps = 10;
 
 /// A slope stands if this many times its present rate could not bring it to the limit in time.
 constexpr double rate_margin = 3.0;
-
-double size_of(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
 
 /// Displacement of the fastest-moving soil over a trailing span of time.
 class Rate {
@@ -55,6 +54,15 @@ class Rate {
   std::deque<Sample> samples_;
 };
 
+[[noreturn]] void refuse_failing(const StrengthReduction& slope, const Trial& trial) {
+  throw SceneError(fmt::format(
+      "{}: the slope fails with the strength it settled with: {:.3g} m of displacement within "
+      "{:.3g} s, more than 1 % of its height of {:.4g} m{}. Try strength_reduction below 1 (0.5 "
+      "doubles the strength) in the stages before the last, or let them settle for longer.",
+      slope.settled().scene().file, trial.displacement, trial.time, slope.criterion().height,
+      slope.settled().stage_reached_rest() ? "" : ", and it had not come to rest before"));
+}
+
 }  // namespace
 
 bool settle(Simulation& simulation, const Proceed& proceed) {
@@ -71,16 +79,7 @@ StrengthReduction::StrengthReduction(Simulation settled, const Criterion& criter
 
 double StrengthReduction::largest_displacement(const Simulation& simulation,
                                                std::size_t* where) const {
-  const std::vector<double> position = simulation.field("position");
-  double largest = 0.0;
-  for (std::size_t i = 0; i + 2 < position.size(); i += 3) {
-    const double moved = std::hypot(position[i] - position_[i], position[i + 1] - position_[i + 1],
-                                    position[i + 2] - position_[i + 2]);
-    if (!(moved > largest)) continue;
-    largest = moved;
-    if (where != nullptr) *where = i;
-  }
-  return largest;
+  return farthest(position_, simulation.field("position"), where);
 }
 
 double StrengthReduction::displacement(const Simulation& simulation) const {
@@ -188,15 +187,7 @@ std::optional<Trial> StrengthReduction::measure_elastic(const Proceed& proceed) 
       {before.strength_reduction, before.material_strength_reduction}, criterion_.window);
   const std::optional<double> own = settled_reduction(settled_.scene());
   std::optional<Trial> trial = run(std::move(simulation), own.value_or(1.0), proceed);
-  if (!trial) return {};
-  if (trial->fails) {
-    throw SceneError(fmt::format(
-        "{}: the slope fails with the strength it settled with: {:.3g} m of displacement within "
-        "{:.3g} s, more than 1 % of its height of {:.4g} m{}. Try strength_reduction below 1 (0.5 "
-        "doubles the strength) in the stages before the last, or let them settle for longer.",
-        settled_.scene().file, trial->displacement, trial->time, criterion_.height,
-        settled_.stage_reached_rest() ? "" : ", and it had not come to rest before"));
-  }
+  if (!trial || trial->fails) return trial;
   criterion_.elastic = trial->displacement;
   elastic_ = trial;
   return trial;
@@ -218,8 +209,10 @@ FactorOfSafety find_factor(StrengthReduction& slope, const SearchOptions& search
                            const Proceed& proceed,
                            const std::function<void(const FactorOfSafety&, const Trial&)>& done) {
   FactorOfSafety found;
-  const std::optional<Trial> elastic = slope.measure_elastic(proceed);
+  const std::optional<Trial> elastic =
+      slope.elastic() ? slope.elastic() : slope.measure_elastic(proceed);
   if (!elastic) return found;
+  if (elastic->fails) refuse_failing(slope, *elastic);
   found.elastic = *elastic;
   if (done) done(found, *elastic);
   found.bracket = find_limit(search, [&](double reduction) -> std::optional<bool> {

@@ -69,10 +69,11 @@ class StrengthReduction {
   /// `settled`: after `settle`.
   StrengthReduction(Simulation settled, const Criterion& criterion);
 
-  /// The response with the strength it settled with: what moves then is no failure, and counts as
-  /// the elastic response from here on. Empty: asked to stop. Errors: SceneError if even this
-  /// fails; SimulationInstability.
+  /// The response with the strength it settled with. Unless even this fails, what moves then is no
+  /// failure and counts as the elastic response from here on. Empty: asked to stop. Errors:
+  /// SimulationInstability.
   std::optional<Trial> measure_elastic(const Proceed& proceed);
+  const std::optional<Trial>& elastic() const { return elastic_; }
 
   /// The response to one factor, from a copy of the settled state. Empty: asked to stop. Errors:
   /// SimulationInstability.
@@ -107,6 +108,23 @@ class StrengthReduction {
 /// The settled state's own factor, if one holds for all materials.
 std::optional<double> settled_reduction(const Scene& scene);
 
+/// A slope that stands, and the strength it took.
+struct StandingSlope {
+  StrengthReduction slope;
+  double strengthening = 1.0;  ///< of every stage before the last, over what the scene gives it
+  double settle_time = 0.0;    ///< simulated in the last attempt [s]
+};
+
+/// Settles a scene and measures its elastic response. Where the slope gives way with the strength
+/// of its settling stages (it fails then, or has moved while it settled by more than the
+/// criterion's limit beyond the settlement gamma H^2/(2 M) of the soil's height, in a scene whose
+/// walls stay), it is settled
+/// again from the start with twice the strength: `told` hears the next strengthening before. At 16
+/// times it is taken as it is. Empty: `proceed` asked to stop. Errors: SimulationInstability.
+std::optional<StandingSlope> settle_standing(const Scene& scene, const RunOptions& options,
+                                             const Criterion& criterion, const Proceed& proceed,
+                                             const std::function<void(double)>& told = {});
+
 /// All trials of a search and what came out.
 struct FactorOfSafety {
   Trial elastic;
@@ -114,8 +132,9 @@ struct FactorOfSafety {
   Bracket bracket;
 };
 
-/// The elastic response, then the search. `done` is called after each trial; `proceed` may be
-/// empty. Errors: those of `measure_elastic` and `respond`.
+/// The elastic response, unless it has been measured, then the search. `done` is called after each
+/// trial; `proceed` may be empty. Errors: those of `measure_elastic` and `respond`; SceneError if
+/// the slope fails with the strength it settled with.
 FactorOfSafety find_factor(
     StrengthReduction& slope, const SearchOptions& search, const Proceed& proceed,
     const std::function<void(const FactorOfSafety&, const Trial&)>& done = {});

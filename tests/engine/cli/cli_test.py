@@ -326,8 +326,7 @@ cfl = 1.5
             self.assertIn(word, done.stderr)
         for scene, old, new, word in (("missing.toml", "", "", "missing.toml"),
                                       ("unsettled.toml", 'until = "rest"\n', "", 'until = "rest"'),
-                                      ("level.toml", "[45, 5], [32, 5], [12, 15], [0, 15]", "[45, 5], [0, 5]", "--height"),
-                                      ("weak.toml", '"10 kPa"', '"1 kPa"', "strength_reduction below 1")):
+                                      ("level.toml", "[45, 5], [32, 5], [12, 15], [0, 15]", "[45, 5], [0, 5]", "--height")):
             if old:
                 (self.folder / scene).write_text(SLOPE.replace(old, new))
             done = self.scarp("fos", scene, "-q")
@@ -337,6 +336,22 @@ cfl = 1.5
         one = self.scarp("fos", "block.toml")
         self.assertEqual(one.returncode, 1)
         self.assertIn("needs two", one.stderr)
+
+    def test_fos_strengthens_a_slope_that_fails_by_itself_and_says_so(self):
+        weak = SLOPE.replace('"10 kPa"', '"6.25 kPa"').replace('"20 deg"', '"12.8 deg"').replace('"9 deg"', "0")
+        (self.folder / "weak.toml").write_text(weak)
+        done = self.scarp("fos", "weak.toml", "--threads", "1", "--from", "0.8", "--to", "1", "--tolerance", "0.3",
+                          "--json", "-")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("once more from the start, with 2 times the scene's", done.stderr)
+        study = json.loads(done.stdout)
+        self.assertEqual(study["settle"]["strengthening"], 2)
+        # Bishop: 1.377/1.6, and no better than ten per cent at ten spacings, 15 at this tolerance.
+        self.assertAlmostEqual(study["factor_of_safety"], 1.377 / 1.6, delta=0.25 * 1.377 / 1.6)
+        self.assertTrue(any("2 times that strength" in note for note in study["notes"]), study["notes"])
+        self.assertTrue(any("Here psi = phi could give up to" in note for note in study["notes"]), study["notes"])
+        check = json.loads(self.scarp("check", "weak.toml", "--json", "-").stdout)
+        self.assertTrue(any("5 to 11 %" in note for note in check["notes"]), check["notes"])
 
     def test_fos_interrupted_leaves_what_is_known(self):
         (self.folder / "slope.toml").write_text(SLOPE)
@@ -363,6 +378,20 @@ cfl = 1.5
         self.assertEqual(len(rows), 12)
         self.assertTrue(rows[0].startswith("step,strain_xx [-]"))
         self.assertNotIn("yield_function", rows[0])
+
+    def test_element_gives_the_numbers_of_the_cone_and_the_dilation_that_fit(self):
+        sand = SCENE.replace('model = "linear_elastic"', 'cohesion = 0\nfriction_angle = "30 deg"')
+        (self.folder / "sand.toml").write_text(sand)
+        # Under p = 100 kPa in triaxial compression q = 3 sqrt(3) a p/(1 - sqrt(3) a): 115.1 kPa with the cone of E11,
+        # a = 0.16013, and 200 kPa, which is (K_p - 1) p, with "outer", whatever psi is.
+        test = json.loads(self.scarp("element", "sand.toml", "--path", "triaxial", "--json", "-").stdout)
+        self.assertAlmostEqual(test["deviator"], 115.14e3, delta=50)
+        self.assertEqual(len(test["notes"]), 2)
+        self.assertIn('"plane_strain", the default in 2D', test["notes"][0])
+        self.assertIn('with "outer", which does, the test ends at q = 200 kPa', test["notes"][0])
+        self.assertIn("psi = phi the test ends at q = 115.1 kPa", test["notes"][1])
+        said = self.scarp("element", "sand.toml", "--path", "plane_strain").stdout
+        self.assertEqual(said.count("note: "), 1)  # the cone fits, psi is 0
 
     def test_element_says_what_it_cannot_use(self):
         for arguments, word in ((["--path", "oedometer"], "--path"), ([], "--path"),

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/errors.hpp"
+#include "engine/fos/dilation_note.hpp"
 #include "engine/fos/slope_height.hpp"
 #include "tests/support/small_scenes.hpp"
 
@@ -61,10 +62,30 @@ TEST(SlopeHeight, OfAHeightFieldIn3D) {
   EXPECT_NEAR(slope_height(scene), 12.0, 1e-6);
 }
 
-TEST(SlopeHeight, NeedsGravityStraightDown) {
+TEST(SlopeHeight, OfObliqueGravityIsAlongItAndNotAlongTheWalls) {
   Scene scene = coarse_slope();
-  scene.gravity = {1.0, -9.7, 0.0};
-  EXPECT_NE(message_of([&] { slope_height(scene); }).find("--height"), std::string::npos);
+  // The ground from its upper left end (0, 15) to the lower right one (45, 5), seen along gravity.
+  // Straight up from the left side, too, is the sky; but the wall is there.
+  for (const double tilt : {0.1, 0.3}) {
+    scene.gravity = {9.81 * std::sin(tilt), -9.81 * std::cos(tilt), 0.0};
+    const double along = 10.0 * std::cos(tilt) + 45.0 * std::sin(tilt);
+    EXPECT_NEAR(slope_height(scene), along, scene.spacing) << tilt;
+  }
+  // Almost straight down it is that of the straight rule.
+  scene.gravity = {1e-9, -9.81, 0.0};
+  EXPECT_NEAR(slope_height(scene), 10.0, scene.spacing);
+}
+
+TEST(SlopeHeight, OfAPlaneTiltedIn3D) {
+  Scene scene;
+  scene.dimension = 3;
+  scene.spacing = 0.5;
+  scene.gravity = {9.81 * 0.6, 0.0, -9.81 * 0.8};
+  scene.bodies = {{0, Box{{0, 0, 0}, {10, 3, 2}}, {}}};
+  scene.materials = {test::elastic()};
+  scene.walls = {test::wall_of("end", WallKind::no_slip,
+                               {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 3, 2, {1, 0, 0}}})};
+  EXPECT_NEAR(slope_height(scene), 10.0 * 0.6, scene.spacing);
 }
 
 TEST(CriterionTest, FollowsHeightAndGravity) {
@@ -167,8 +188,57 @@ TEST(StrengthReductionTest, ASlopeThatFailsUnreducedIsRefused) {
   weak.materials.front().parameters[4] = 0.0;
   weak.stages.front().duration = 0.1;
   StrengthReduction slope = settled_slope(weak);
-  EXPECT_NE(message_of([&] { slope.measure_elastic({}); }).find("strength_reduction below 1"),
+  EXPECT_NE(message_of([&] { find_factor(slope, {}, {}); }).find("strength_reduction below 1"),
             std::string::npos);
+  EXPECT_FALSE(slope.elastic());
+}
+
+TEST(SettleStandingTest, ASlopeBelowItsLimitIsStrengthenedAndItsFactorFound) {
+  Scene weak = coarse_slope();
+  auto& p = weak.materials.front().parameters;
+  p[2] /= 1.6;
+  p[3] = std::atan(std::tan(p[3]) / 1.6);
+  const Criterion criterion = choose_criterion(weak, {});
+  std::vector<double> told;
+  std::optional<StandingSlope> standing =
+      settle_standing(weak, {}, criterion, {}, [&](double more) { told.push_back(more); });
+  ASSERT_TRUE(standing);
+  EXPECT_EQ(standing->strengthening, 2.0);
+  EXPECT_EQ(told, std::vector<double>{2.0});
+  EXPECT_EQ(standing->slope.settled().scene().stages.front().strength_reduction, 0.5);
+  EXPECT_EQ(standing->slope.settled().scene().stages.back().strength_reduction, 1.4);
+  const FactorOfSafety found = find_factor(standing->slope, {0.8, 1.0, 0.1}, {});
+  ASSERT_TRUE(found.bracket.complete);
+  // Bishop's factor scales with c and tan phi together: 1.377/1.6; coarse as the slope above.
+  EXPECT_NEAR(*found.bracket.factor(), 1.377 / 1.6, 0.1377 / 1.6);
+}
+
+TEST(SettleStandingTest, ASlopeThatStandsIsTakenAsItIs) {
+  const Scene scene = coarse_slope();
+  std::optional<StandingSlope> standing =
+      settle_standing(scene, {}, choose_criterion(scene, {}), {}, [](double) { FAIL(); });
+  ASSERT_TRUE(standing);
+  EXPECT_EQ(standing->strengthening, 1.0);
+  ASSERT_TRUE(standing->slope.elastic());
+  EXPECT_FALSE(settle_standing(scene, {}, choose_criterion(scene, {}),
+                               [](const Simulation&) { return false; }));
+}
+
+TEST(DilationNoteTest, NamesMaterialsWithFrictionAloneAndBoundsTheFactor) {
+  Scene scene = coarse_slope();
+  EXPECT_FALSE(dilation_note(scene));
+  EXPECT_TRUE(looks_reducible(scene));
+  scene.materials.front().parameters[4] = 0.0;
+  const std::optional<std::string> note = dilation_note(scene, 1.332);
+  ASSERT_TRUE(note);
+  EXPECT_NE(note->find("'clay'"), std::string::npos);
+  // 1.332 sqrt(1 + 4/3 (tan 20 deg/1.332)^2) = 1.397
+  EXPECT_NE(note->find("up to 1.397"), std::string::npos) << *note;
+  EXPECT_EQ(dilation_note(scene)->find("up to"), std::string::npos);
+  scene.materials.front().parameters[3] = 0.0;
+  EXPECT_FALSE(dilation_note(scene));
+  scene.stages.pop_back();
+  EXPECT_FALSE(looks_reducible(scene));
 }
 
 TEST(StrengthReductionTest, StopsWhenAsked) {

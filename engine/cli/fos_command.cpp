@@ -130,10 +130,11 @@ void announce(const Scene& scene, const FosArguments& arguments, const fs::path&
 
 int fos_command(const FosArguments& arguments) {
   const Scene scene = load_scene(arguments.scene);
-  check_reducible(scene);
   const SearchOptions search = search_options(arguments);
+  const CriterionOptions options = criterion_options(arguments, scene);
+  check_reducible(scene);
   FosReport report;
-  report.criterion = choose_criterion(scene, criterion_options(arguments, scene));
+  report.criterion = choose_criterion(scene, options);
   for (const std::string& warning : warnings(scene)) fmt::print(stderr, "warning: {}\n", warning);
   const fs::path folder = output_folder(arguments, scene);
   const FolderLock lock(folder);

@@ -3,7 +3,10 @@
 #include "engine/boundary/mirror_images.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "engine/boundary/facet_geometry.hpp"
 #include "kernels/tensor.hpp"
 
 namespace scarp {
@@ -11,7 +14,7 @@ namespace {
 
 using namespace kernels;
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using geometry::dot;
 
 void reflect(double* vector, const Vec3& normal, double along) {
   for (std::size_t a = 0; a < 3; ++a) vector[a] -= 2.0 * along * normal[a];
@@ -53,6 +56,35 @@ bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
 
 }  // namespace
 
+void MirrorImages::take_facets(const Scene& scene, double reach) {
+  // An image may be beyond an edge by the reach, and behind the face by as much.
+  const double margin = std::sqrt(2.0) * reach;
+  if (!faces_.empty() && margin <= index_margin_) return;
+  index_margin_ = margin;
+  faces_.clear();
+  wall_index_.clear();
+  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+    const Wall& wall = scene.walls[w];
+    if (wall.kind != WallKind::free_slip) continue;
+    wall_index_.push_back({w, faces_.size(), FacetIndex(wall.facets, margin)});
+    for (const Facet& facet : wall.facets) faces_.push_back({w, facet, {}});
+  }
+}
+
+/// Puts a point down for every standing face it is near, if that comes after `after`.
+void MirrorImages::ask_faces(const Vec3& point, const Source& source, std::int64_t after,
+                             const std::vector<bool>& stands,
+                             const std::vector<Vec3>& wall_offset) {
+  for (const WallIndex& wall : wall_index_) {
+    if (!stands[wall.wall]) continue;
+    wall.index.near(geometry::minus(point, wall_offset[wall.wall]), near_);
+    for (const std::uint32_t k : near_) {
+      const std::size_t face = wall.first_face + k;
+      if (static_cast<std::int64_t>(face) > after) faces_[face].asked.push_back(source);
+    }
+  }
+}
+
 void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
                           const std::vector<Vec3>& wall_offset, const PointSpan& soil,
                           std::span<const SlotRange> ranges, std::span<const double> k0,
@@ -60,38 +92,43 @@ void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
   images_.clear();
   close_.clear();
   for (auto& axis : position_) axis.clear();
-  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
-    if (scene.walls[w].kind != WallKind::free_slip || !stands[w]) continue;
-    for (const Facet& facet : scene.walls[w].facets) {
-      const auto earlier = count();
-      const auto consider = [&](const Vec3& x, std::int64_t source, double lateral, double margin) {
-        Vec3 from;
-        for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - wall_offset[w][a];
-        const double distance = dot(from, facet.normal);
-        // Soil that has come a little behind the face keeps its image, which pushes it back.
-        if (distance > reach || distance < -0.125 * reach || !in_footprint(facet, from, margin))
-          return;
-        if (source >= 0 && distance <= close) {
-          close_.resize(static_cast<std::size_t>(ranges.back().end), 0);
-          close_[static_cast<std::size_t>(source)] = 1;
-        }
-        images_.push_back({source, w, facet.normal, facet.origin, lateral});
-        for (std::size_t a = 0; a < 3; ++a)
-          position_[a].push_back(x[a] - 2.0 * distance * facet.normal[a]);
-      };
-      for (std::size_t r = 0; r < ranges.size(); ++r) {
-        for (std::int64_t k = ranges[r].begin; k < ranges[r].end; ++k) {
-          consider({soil.x[k], soil.y[k], soil.z != nullptr ? soil.z[k] : 0.0}, k, k0[r], 0.0);
-        }
+  take_facets(scene, reach);
+  const auto soil_point = [&soil](std::int64_t k) {
+    return Vec3{soil.x[k], soil.y[k], soil.z != nullptr ? soil.z[k] : 0.0};
+  };
+  for (std::size_t r = 0; r < ranges.size() && !faces_.empty(); ++r) {
+    for (std::int64_t k = ranges[r].begin; k < ranges[r].end; ++k)
+      ask_faces(soil_point(k), {k, k0[r]}, -1, stands, wall_offset);
+  }
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const auto [w, facet, asked] = std::exchange(faces_[f], {faces_[f].wall, faces_[f].facet, {}});
+    for (const Source& source : asked) {
+      const bool is_image = source.slot < 0;
+      const auto image = static_cast<std::size_t>(-1 - source.slot);
+      // An image straight behind this very plane is no neighbour of it; those of other planes are.
+      if (is_image && images_[image].normal == facet.normal) continue;
+      const Vec3 x = is_image ? Vec3{position_[0][image], position_[1][image], position_[2][image]}
+                              : soil_point(source.slot);
+      Vec3 from;
+      for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - wall_offset[w][a];
+      const double distance = dot(from, facet.normal);
+      // Soil that has come a little behind the face keeps its image, which pushes it back.
+      if (distance > reach || distance < -0.125 * reach ||
+          !in_footprint(facet, from, is_image ? reach : 0.0))
+        continue;
+      if (!is_image && distance <= close) {
+        close_.resize(static_cast<std::size_t>(ranges.back().end), 0);
+        close_[static_cast<std::size_t>(source.slot)] = 1;
       }
-      for (std::int64_t g = 0; g < earlier; ++g) {
-        const auto image = static_cast<std::size_t>(g);
-        // An image straight behind this very plane is no neighbour of it; those of other planes
-        // are.
-        if (images_[image].normal == facet.normal) continue;
-        consider({position_[0][image], position_[1][image], position_[2][image]}, -1 - g,
-                 images_[image].lateral, reach);
+      const std::int64_t made = count();
+      images_.push_back({source.slot, w, facet.normal, facet.origin, source.lateral});
+      Vec3 place;
+      for (std::size_t a = 0; a < 3; ++a) {
+        place[a] = x[a] - 2.0 * distance * facet.normal[a];
+        position_[a].push_back(place[a]);
       }
+      ask_faces(place, {-1 - made, source.lateral}, static_cast<std::int64_t>(f), stands,
+                wall_offset);
     }
   }
 }

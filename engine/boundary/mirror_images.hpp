@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/boundary/facet_index.hpp"
 #include "engine/cells/cell_grid.hpp"
 #include "engine/particles/aligned_vector.hpp"
 #include "engine/scene/scene.hpp"
@@ -54,6 +55,28 @@ class MirrorImages {
     Vec3 origin;     ///< a point of the facet before its wall moved
     double lateral;  ///< K0 of the soil it is an image of
   };
+  /// What may have an image: a soil slot, or -1 - image.
+  struct Source {
+    std::int64_t slot;
+    double lateral;
+  };
+  struct Face {
+    std::size_t wall;
+    Facet facet;
+    std::vector<Source> asked;  ///< empty between selections
+  };
+  struct WallIndex {
+    std::size_t wall, first_face;
+    FacetIndex index;  ///< of the facets before the wall moved
+  };
+  void take_facets(const Scene& scene, double reach);
+  void ask_faces(const Vec3& point, const Source& source, std::int64_t after,
+                 const std::vector<bool>& stands, const std::vector<Vec3>& wall_offset);
+
+  std::vector<Face> faces_;  ///< of all free-slip walls, in the order of the scene
+  std::vector<WallIndex> wall_index_;
+  double index_margin_ = 0.0;
+  std::vector<std::uint32_t> near_;  ///< scratch
   std::vector<Image> images_;
   AlignedVector<double> position_[3];
   std::vector<std::uint8_t> close_;  ///< by soil slot; empty: none

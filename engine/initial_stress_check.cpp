@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +30,38 @@ std::vector<double> pressures(const Simulation& simulation) {
   return pressure;
 }
 
+/// sqrt(J2) of a uniform stress over what the cone bears at its mean stress. Equation: E9.
+double utilisation(const std::array<double, 6>& s, const Material& material, double reduction) {
+  const kernels::ConeConstants cone =
+      kernels::DruckerPrager::reduced(material.parameters, reduction);
+  const double first_invariant = s[0] + s[1] + s[2], mean = first_invariant / 3.0;
+  double j2 = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+  for (std::size_t a = 0; a < 3; ++a) j2 += 0.5 * (s[a] - mean) * (s[a] - mean);
+  const double strength = cone.k_c - cone.alpha_phi * first_invariant;
+  if (strength > 0.0) return std::sqrt(j2) / strength;
+  return j2 > 0.0 || strength < 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+std::vector<std::string> uniform_warnings(const Scene& scene) {
+  std::vector<std::string> found;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    const bool used = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                  [m](const Body& body) { return body.material == m; });
+    if (!used || material.model != kernels::DruckerPrager::name) continue;
+    const double share =
+        utilisation(scene.uniform_stress, material, reduction_of(scene.stages.front(), material));
+    if (share <= 1.0 + 1e-9) continue;
+    found.push_back(fmt::format(
+        "material '{}': the uniform stress is outside its yield surface{}; the first step takes it "
+        "back. Try a stress with less shear or more pressure.",
+        material.name,
+        std::isfinite(share) ? fmt::format(", {:.3g} times what the cone bears", share)
+                             : ", beyond the tension that the cone bears"));
+  }
+  return found;
+}
+
 }  // namespace
 
 RestRange rest_range(const Material& material, double reduction, double pressure) {
@@ -45,6 +78,7 @@ RestRange rest_range(const Material& material, double reduction, double pressure
 std::vector<std::string> initial_stress_warnings(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
   std::vector<std::string> found;
+  if (scene.initial_stress == InitialStress::uniform) return uniform_warnings(scene);
   if (scene.initial_stress != InitialStress::geostatic) return found;
   const std::vector<double> pressure = pressures(simulation);
   const std::vector<double> of = simulation.field("material");

@@ -21,9 +21,9 @@ struct RestRange {
 /// `reduction`. Equation: E9. Pre: the material is Drucker-Prager, `pressure` above 0.
 RestRange rest_range(const Material& material, double reduction, double pressure);
 
-/// Findings about a geostatic start outside the yield surface of the first stage's strength: for
-/// each such material the bounds on K0 at its greatest pressure and what K0 becomes. Pre: no step
-/// has been taken.
+/// Findings about a start outside the yield surface of the first stage's strength: of geostatic
+/// stress for each such material the bounds on K0 at its greatest pressure and what K0 becomes; of
+/// uniform stress how much of it the surface bears. Pre: no step has been taken.
 std::vector<std::string> initial_stress_warnings(const Simulation& simulation);
 
 }  // namespace scarp

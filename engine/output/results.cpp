@@ -163,6 +163,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"memory_bytes", simulation.memory_bytes()},
             {"step_limits", Json::object()},
             {"signal_material", scene.materials[last.signal_material].name},
+            {"materials", Json::array()},
             {"retries", Json::array()},
             {"measures", Json::array()},
             {"stages", Json::array()},
@@ -172,6 +173,12 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
              {{"processor", processor_name()},
               {"hardware_threads", std::thread::hardware_concurrency()}}},
             {"versions", {{"scarp", program_version()}, {"compiler", __VERSION__}}}};
+  for (const Material& material : scene.materials) {
+    json["materials"].push_back({{"name", material.name},
+                                 {"model", material.model},
+                                 {"density", material.density},
+                                 {"k0", k0_of(scene, material)}});
+  }
   for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
     json["step_limits"][step_limit_names[k]] = simulation.step_limit_counts()[k];
   for (const Retry& retry : results.retries) {

@@ -213,6 +213,32 @@ TEST(SettleStandingTest, ASlopeBelowItsLimitIsStrengthenedAndItsFactorFound) {
   EXPECT_NEAR(*found.bracket.factor(), 1.377 / 1.6, 0.1377 / 1.6);
 }
 
+/// Oblique gravity from end to end: geostatic start, height, factor.
+TEST(SettleStandingTest, ATiltedFlumeHasTheFactorOfTheInfiniteSlope) {
+  const double tilt = 0.35, c = 1e3, phi = 0.5236, depth = 1.0;
+  Scene scene = coarse_slope();
+  scene.spacing = 0.2;
+  scene.gravity = {9.81 * std::sin(tilt), -9.81 * std::cos(tilt), 0.0};
+  scene.materials = {{"sand", "drucker_prager", 2000.0, {50e6, 0.3, c, phi, phi, 0.0}}};
+  scene.bodies = {{0, Box{{0, 0, 0}, {10, depth, 0}}, {}}};
+  scene.walls = {test::wall_of("base", WallKind::no_slip, {test::facet_2d(0, 0, 10, 0)}),
+                 test::wall_of("ends", WallKind::free_slip,
+                               {test::facet_2d(10, 0, 10, 3), test::facet_2d(0, 3, 0, 0)})};
+  scene.probes.front().at = {5, depth, 0};
+  const Criterion criterion = choose_criterion(scene, {});
+  EXPECT_NEAR(criterion.height, 10.0 * std::sin(tilt), scene.spacing);
+  std::optional<StandingSlope> standing = settle_standing(scene, {}, criterion, {});
+  ASSERT_TRUE(standing);
+  EXPECT_EQ(standing->strengthening, 1.0);
+  const FactorOfSafety found = find_factor(standing->slope, {1.5, 2.0, 0.05}, {});
+  ASSERT_TRUE(found.bracket.complete);
+  // (c + gamma d cos(tilt) tan(phi))/(gamma d sin(tilt)); the ends and five rows are good for no
+  // better than ten per cent.
+  const double gamma = 2000.0 * 9.81 * depth;
+  const double expected = (c + gamma * std::cos(tilt) * std::tan(phi)) / (gamma * std::sin(tilt));
+  EXPECT_NEAR(*found.bracket.factor(), expected, 0.1 * expected);
+}
+
 TEST(SettleStandingTest, ASlopeThatStandsIsTakenAsItIs) {
   const Scene scene = coarse_slope();
   std::optional<StandingSlope> standing =

@@ -202,6 +202,20 @@ TEST(InitialStressTest, CohesionAndAStrongerFirstStageWidenTheRange) {
   EXPECT_TRUE(initial_stress_warnings(Simulation(sand_bin(0.0, 0.5), {1, {}})).empty());
 }
 
+TEST(InitialStressTest, AUniformStressOutsideTheConeIsToldWithItsShare) {
+  Scene scene = sand_bin(0.0, -1.0);
+  scene.initial_stress = InitialStress::uniform;
+  // K = 0.4: sqrt(J2)/(-a I1) = 0.6/(sqrt(3) 1.8 a) = 1.2018 with a = 0.16013; at 0.5 it is 0.901.
+  scene.uniform_stress = {-40e3, -100e3, -40e3, 0, 0, 0};
+  const std::vector<std::string> found = initial_stress_warnings(Simulation(scene, {1, {}}));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("1.2 times what the cone bears"), std::string::npos) << found[0];
+  scene.uniform_stress = {-50e3, -100e3, -50e3, 0, 0, 0};
+  EXPECT_TRUE(initial_stress_warnings(Simulation(scene, {1, {}})).empty());
+  scene.uniform_stress = {10e3, 10e3, 10e3, 0, 0, 0};  // nothing holds sand in tension
+  EXPECT_EQ(initial_stress_warnings(Simulation(scene, {1, {}})).size(), 1u);
+}
+
 TEST(InitialStressTest, ObliqueGravityTurnsTheStressWithIt) {
   Scene scene = sand_bin(0.0, 0.5);
   scene.gravity = {g * 0.6, -g * 0.8, 0.0};

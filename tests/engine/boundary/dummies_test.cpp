@@ -8,10 +8,14 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/boundary/facet_index.hpp"
 #include "engine/boundary/wall_clearance.hpp"
+#include "engine/boundary/wall_gaps.hpp"
+#include "engine/boundary/wall_joints.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/facets.hpp"
 
@@ -327,6 +331,48 @@ TEST(GenerateDummiesTest, CornerWithASmoothWallThatGoesIsTold) {
     EXPECT_FALSE(stands(true, 12.0)) << "below the sides the plate is as wide as it is drawn";
     EXPECT_FALSE(stands(false, 1.0));
   }
+}
+
+TEST(NarrowGapsTest, WallsAreLengthenedToMeetUnlessTheyPart) {
+  Scene scene = empty_scene(2);
+  const auto joined = [&](const Points2& base, const Points2& side, const Vec3& velocity = {}) {
+    scene.walls = {line_wall("base", WallKind::no_slip, base),
+                   line_wall("side", WallKind::free_slip, side)};
+    scene.walls[1].velocity = velocity;
+    Scene closed = scene;
+    close_narrow_gaps(closed);
+    return std::pair{closed.walls[0].facets[0], closed.walls[1].facets[0]};
+  };
+  // The base is 0.3 m short of a side that goes on below.
+  auto [base, side] = joined({{0.3, 0}, {10, 0}}, {{0, 5}, {0, -5}});
+  EXPECT_NEAR(base.origin[0], 0.0, 1e-12);
+  EXPECT_NEAR(base.length_u, 10.0, 1e-12);
+  EXPECT_EQ(side.length_u, 10.0);
+  // Both are short of the corner.
+  std::tie(base, side) = joined({{0.3, 0}, {10, 0}}, {{0, 5}, {0, 0.3}});
+  EXPECT_NEAR(base.origin[0], 0.0, 1e-12);
+  EXPECT_NEAR(side.length_u, 5.0, 1e-12);
+  // An inclined side is met where the base goes straight on.
+  std::tie(base, side) = joined({{0.3, 0}, {10, 0}}, {{5, 5}, {-5, -5}});
+  EXPECT_NEAR(base.origin[0], 0.0, 1e-12);
+  // A spacing is wide enough for a grain; a wall that moves away opens the gap; a touch is no gap.
+  EXPECT_EQ(joined({{0.5, 0}, {10, 0}}, {{0, 5}, {0, -5}}).first.length_u, 9.5);
+  EXPECT_EQ(joined({{0.3, 0}, {10, 0}}, {{0, 5}, {0, -5}}, {-1, 0, 0}).first.length_u, 9.7);
+  EXPECT_NEAR(joined({{0.3, 0}, {10, 0}}, {{0, 5}, {0, -5}}, {0, -1, 0}).first.length_u, 10, 1e-12);
+  EXPECT_EQ(joined({{0, 0}, {10, 0}}, {{0, 5}, {0, 0}}).first.length_u, 10.0);
+}
+
+TEST(NarrowGapsTest, BothWidthsAreTold) {
+  Scene scene = empty_scene(2);
+  scene.walls = {line_wall("base", WallKind::no_slip, {{0.3, 0}, {9, 0}}),
+                 line_wall("sides", WallKind::free_slip, {{0, 5}, {0, -5}}),
+                 line_wall("far", WallKind::free_slip, {{10, -5}, {10, 5}})};
+  const std::vector<std::string> told = wall_gaps(scene);
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_NE(told[0].find("wall 'base' at (0.3, 0) ends less than a spacing short"),
+            std::string::npos);
+  EXPECT_NE(told[0].find("lengthened by 0.3 m"), std::string::npos) << told[0];
+  EXPECT_NE(told[1].find("1 m from wall 'far': soil can leak"), std::string::npos) << told[1];
 }
 
 TEST(FacetIndexTest, FindsAllThatIsNearAndAsksFew) {

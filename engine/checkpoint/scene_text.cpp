@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -165,6 +166,18 @@ std::string output_text(const Scene& scene) {
     lines.add("at", scene.probes[p].at);
   }
   return lines.take();
+}
+
+bool only_adds_stages(const std::string& stored, const std::string& here) {
+  if (!here.starts_with(stored)) return false;
+  std::istringstream added(here.substr(stored.size()));
+  std::string line;
+  bool stages = true;
+  for (bool first = true; stages && std::getline(added, line); first = false) {
+    stages = line.starts_with("stage[") &&
+             (!first || line.find("].name = ") != std::string::npos);  // a stage begins with it
+  }
+  return stages;
 }
 
 std::string first_difference(const std::string& stored, const std::string& here) {

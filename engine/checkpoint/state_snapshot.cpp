@@ -3,11 +3,14 @@
 #include "engine/checkpoint/state_snapshot.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <type_traits>
 
 #include <fmt/format.h>
 
+#include "engine/checkpoint/finite_numbers.hpp"
 #include "engine/checkpoint/scene_text.hpp"
+#include "engine/checkpoint/state_bounds.hpp"
 #include "engine/errors.hpp"
 
 namespace scarp {
@@ -27,12 +30,23 @@ std::vector<int> stored_components(const FieldRow& field, int dimension) {
   return stored;
 }
 
+/// Values that a scalar may have.
+struct Range {
+  double least, most;
+};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Range any{-infinity, infinity}, not_negative{0.0, infinity};
+/// Halved a few times by retries; programs may choose others.
+constexpr Range step_factors{1e-9, 1e3};
+
 class Taker {
  public:
   explicit Taker(Snapshot& out) : out_(out) {}
-  void number(const char* name, const char* unit, double value) { out_.add(name, unit, {value}); }
+  void number(const char* name, const char* unit, double value, Range = any) {
+    out_.add(name, unit, {value});
+  }
   template <class T>
-  void integer(const char* name, T value) {
+  void integer(const char* name, T value, std::int64_t = 0) {
     out_.add(name, std::vector<std::int64_t>{static_cast<std::int64_t>(value)});
   }
 
@@ -43,15 +57,27 @@ class Taker {
 class Putter {
  public:
   explicit Putter(const Snapshot& from) : from_(from) {}
-  void number(const char* name, const char*, double& value) {
-    value = from_.numbers(name, 1).front();
+  void number(const char* name, const char*, double& value, Range range = any) {
+    value = finite_numbers(from_, name, 1).front();
+    if (value < range.least || value > range.most) refuse(name, value);
   }
   template <class T>
-  void integer(const char* name, T& value) {
-    value = static_cast<T>(from_.integers(name, 1).front());
+  void integer(const char* name, T& value, std::int64_t most = most_of<T>) {
+    const std::int64_t stored = from_.integers(name, 1).front();
+    if (stored < 0 || stored > most) refuse(name, static_cast<double>(stored));
+    value = static_cast<T>(stored);
   }
 
  private:
+  template <class T>
+  static constexpr std::int64_t most_of = std::is_same_v<T, bool> ? 1
+                                          : std::is_same_v<T, int>
+                                              ? std::numeric_limits<int>::max()
+                                              : std::numeric_limits<std::int64_t>::max();
+  [[noreturn]] static void refuse(const char* name, double value) {
+    throw CheckpointError(fmt::format("'{}' is {:g}, which no run leaves.", name, value));
+  }
+
   const Snapshot& from_;
 };
 
@@ -59,30 +85,32 @@ class Putter {
 template <class Archive, class AnyState>
 void exchange(Archive& a, AnyState& state) {
   a.integer("clock/step", state.report.step);
-  a.number("clock/time", "s", state.report.time);
-  a.number("clock/stage_time", "s", state.stage.time);
-  a.number("clock/time_step", "s", state.clock.time_step);
-  a.number("clock/previous_time_step", "s", state.clock.previous_time_step);
-  a.number("clock/growth_base", "s", state.clock.growth_base);
+  a.number("clock/time", "s", state.report.time, not_negative);
+  a.number("clock/stage_time", "s", state.stage.time, not_negative);
+  a.number("clock/time_step", "s", state.clock.time_step, not_negative);
+  a.number("clock/previous_time_step", "s", state.clock.previous_time_step, not_negative);
+  a.number("clock/growth_base", "s", state.clock.growth_base, not_negative);
   a.integer("clock/since_restart", state.clock.since_restart);
   a.integer("clock/restart", state.clock.restart);
-  a.number("clock/step_factor", "", state.clock.step_factor);
-  a.number("report/stage_time", "s", state.report.stage_time);
-  a.number("report/time_step", "s", state.report.time_step);
-  a.integer("report/limit", state.report.limit);
-  a.integer("report/signal_material", state.report.signal_material);
-  a.number("report/max_velocity", "m/s", state.report.max_velocity);
-  a.integer("stage/index", state.stage.index);
+  a.number("clock/step_factor", "", state.clock.step_factor, step_factors);
+  a.number("report/stage_time", "s", state.report.stage_time, not_negative);
+  a.number("report/time_step", "s", state.report.time_step, not_negative);
+  a.integer("report/limit", state.report.limit, std::size(step_limit_names) - 1);
+  a.integer("report/signal_material", state.report.signal_material,
+            static_cast<std::int64_t>(state.scene.materials.size()) - 1);
+  a.number("report/max_velocity", "m/s", state.report.max_velocity, not_negative);
+  a.integer("stage/index", state.stage.index,
+            static_cast<std::int64_t>(state.scene.stages.size()) - 1);
   a.integer("stage/started", state.stage.started);
   a.integer("stage/ended", state.stage.ended);
   a.integer("stage/reached_rest", state.stage.reached_rest);
   a.number("stage/calm_since", "s", state.stage.calm_since);
-  a.number("stage/damping", "1/s", state.stage.damping);
-  a.number("stage/rest_window", "s", state.stage.rest_window);
-  a.number("stage/start_speed", "m/s", state.stage.start_speed);
+  a.number("stage/damping", "1/s", state.stage.damping, not_negative);
+  a.number("stage/rest_window", "s", state.stage.rest_window, not_negative);
+  a.number("stage/start_speed", "m/s", state.stage.start_speed, not_negative);
   a.integer("lists/valid", state.lists_valid);
   a.integer("lists/rebuilds", state.rebuilds);
-  a.number("lists/walls_moved", "m", state.walls_moved);
+  a.number("lists/walls_moved", "m", state.walls_moved, not_negative);
   a.integer("counts/density_bounds", state.density_bounds);
   a.integer("counts/face_holds", state.holds);
   for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
@@ -120,7 +148,7 @@ void take_vectors(Snapshot& out, std::string name, std::string unit,
 }
 
 void put_vectors(const Snapshot& from, std::string_view name, std::vector<Vec3>& to) {
-  const std::vector<double>& flat = from.numbers(name, 3 * to.size());
+  const std::vector<double>& flat = finite_numbers(from, name, 3 * to.size());
   for (std::size_t k = 0; k < flat.size(); ++k) to[k / 3][k % 3] = flat[k];
 }
 
@@ -135,7 +163,7 @@ void take_dummies(Snapshot& out, std::string name, const Walls& walls, bool buil
 }
 
 void put_dummies(const Snapshot& from, std::string_view name, Walls& walls) {
-  walls.move_to(from.numbers(name, 3 * static_cast<std::size_t>(walls.count())));
+  walls.move_to(finite_numbers(from, name, 3 * static_cast<std::size_t>(walls.count())));
 }
 
 void take_fields(Snapshot& out, const State& state) {
@@ -163,7 +191,7 @@ void put_field(const Snapshot& from, std::string_view stored, Field field, State
   const std::vector<int> components = stored_components(row(field), state.scene.dimension);
   const auto slots = static_cast<std::size_t>(p.slots());
   const std::vector<double>& values =
-      from.numbers(fmt::format("fields/{}", stored), components.size() * slots);
+      finite_numbers(from, fmt::format("fields/{}", stored), components.size() * slots);
   auto next = values.begin();
   for (const int c : components) {
     std::copy_n(next, slots, p.component(field, c));
@@ -180,7 +208,9 @@ void put_ids(const Snapshot& from, State& state) {
     std::vector<std::int64_t> other(stored.begin() + group.first, stored.begin() + group.end());
     std::sort(own.begin(), own.end());
     std::sort(other.begin(), other.end());
-    if (own != other) {
+    const bool padded = std::equal(ids.begin() + group.end(), ids.begin() + group.padded_end(),
+                                   stored.begin() + group.end());
+    if (own != other || !padded) {
       throw CheckpointError(
           "'particles/id' does not list the particles of the scene. Try the scene and the program "
           "that wrote it.");
@@ -228,15 +258,15 @@ Snapshot take_snapshot(const State& state) {
 }
 
 void apply_snapshot(State& state, const Snapshot& snapshot) {
-  const std::string difference = first_difference(snapshot.text("scene"), scene_text(state.scene));
-  if (!difference.empty()) {
-    throw CheckpointError(fmt::format(
-        "it belongs to another scene: there {}. Try the scene it was written with.", difference));
+  const std::string stored = snapshot.text("scene"), here = scene_text(state.scene);
+  if (!only_adds_stages(stored, here)) {
+    throw CheckpointError(
+        fmt::format("it belongs to another scene: there {}. Try the scene it was written with.",
+                    first_difference(stored, here)));
   }
-  const std::int64_t stage = snapshot.integers("stage/index", 1).front();
-  if (stage < 0 || static_cast<std::size_t>(stage) >= state.scene.stages.size()) {
-    throw CheckpointError(fmt::format("'stage/index' is {}, but the scene has {} stages.", stage,
-                                      state.scene.stages.size()));
+  for (const Field field : {Field::position, Field::build_position}) {
+    if (state.particles.has(field))
+      require_near(snapshot, fmt::format("fields/{}", row(field).name), state);
   }
   put_walls(snapshot, state);
   put_ids(snapshot, state);
@@ -254,6 +284,7 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   }
   put_vectors(snapshot, "walls/offset", state.wall_offset);
   if (snapshot.has("walls/position")) put_dummies(snapshot, "walls/position", state.walls);
+  if (state.stage.started) require_sound(state);
   if (!lists_valid) return;
   pack_records(state);  // no step needs it, but who asks for forces on walls first
   extrapolate_walls(state);

@@ -45,6 +45,8 @@ struct RunArguments {
 
 struct ResumeArguments {
   std::string folder;  ///< of `scarp run`
+  std::string scene;   ///< the run's scene with more stages; empty: as it was
+  bool accept_tables = false;
   std::string json;
   RunOptions options;  ///< what is not given is that of the run
   bool quiet = false;

@@ -10,7 +10,6 @@
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_writer.hpp"
-#include "engine/output/recovery.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -23,9 +22,9 @@ void say_how_to_go_on(const RunWriter& writer) {
 
 }  // namespace
 
-int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options) {
-  CheckpointWriter checkpoints(simulation, writer);
-  Recovery recovery(simulation, writer);
+int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
+          const DriveOptions& options) {
+  CheckpointWriter checkpoints(simulation, writer, CheckpointWriter::Clock::now, &recovery);
   Progress progress(total_duration(simulation.scene()), options.quiet);
   catch_interrupts();
   const auto say = [&progress](const std::string& words) {
@@ -35,8 +34,8 @@ int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options
   };
   const auto after_step = [&](const Simulation& now) {
     progress.update(now);
+    recovery.after_step(now, writer);
     if (!stop_requested() || now.finished()) {
-      recovery.after_step(now, writer);
       say(checkpoints.after_step(now));
       return true;
     }
@@ -59,6 +58,7 @@ int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options
       wall_seconds += run(simulation, &writer, after_step);
     } catch (const SimulationInstability& instability) {
       if (const auto retry = recovery.go_back(simulation, writer, instability)) {
+        checkpoints.went_back(simulation);
         say(*retry);
         again = true;
         continue;

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/output/recovery.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/simulation.hpp"
 
@@ -16,6 +17,7 @@ struct DriveOptions {
 
 /// Steps with outputs, progress and checkpoints; a signal ends it with a checkpoint. Returns the
 /// exit code. Errors: SimulationInstability, FileError; both after saying how to go on.
-int drive(Simulation& simulation, RunWriter& writer, const DriveOptions& options);
+int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
+          const DriveOptions& options);
 
 }  // namespace scarp::cli

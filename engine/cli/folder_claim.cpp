@@ -28,7 +28,9 @@ bool is_there(const fs::path& path) {
 /// Whose results these are; nothing if of none of the three.
 std::optional<Command> writer_of(const fs::path& folder) {
   if (is_there(folder / "run.json")) return Command::run;
-  if (is_there(folder / "fos.json") || is_there(folder / "fos.csv")) return Command::fos;
+  for (const char* name : {"search.json", "fos.json", "fos.csv"}) {
+    if (is_there(folder / name)) return Command::fos;
+  }
   if (is_there(folder / "converge.json") || is_there(folder / "converge.csv"))
     return Command::converge;
   return {};
@@ -96,9 +98,9 @@ void claim_folder(const fs::path& folder, Command command, const Scene& scene, b
     if (const std::string why = why_a_run_stays(folder, scene); !why.empty()) refuse(folder, why);
     return;  // `begin_run` and RunWriter take it away
   }
+  if (command == Command::fos) return;  // `begin_search` knows whether it is the same
   remove_page(folder);
-  for (const char* end : {".json", ".csv"})
-    remove_file(folder / (std::string(name_of(command)) + end));
+  for (const char* name : {"converge.json", "converge.csv"}) remove_file(folder / name);
 }
 
 }  // namespace scarp::cli

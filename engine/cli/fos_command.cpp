@@ -11,12 +11,16 @@
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/folder_claim.hpp"
+#include "engine/cli/fos_forecast.hpp"
 #include "engine/cli/fos_output.hpp"
+#include "engine/cli/fos_record.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/failure_run.hpp"
 #include "engine/initial_stress_check.hpp"
+#include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/nearest_name.hpp"
@@ -90,40 +94,121 @@ fs::path output_folder(const FosArguments& arguments, const Scene& scene) {
              : fs::path(arguments.folder);
 }
 
-/// Settles, with as much strength as the slope needs for it, and with the cost of all attempts.
+/// Keeps what has been found while a slope settles: now and then, at its end, when told to stop.
+class SettlingKeeper {
+ public:
+  SettlingKeeper(const Scene& scene, const fs::path& folder, SearchRecord& record)
+      : folder_(folder),
+        record_(record),
+        stages_(scene.stages.size()),
+        interval_(scene.checkpoints.wall_interval),
+        before_(record.settle_wall_s) {}
+  void after_step(const Simulation& now) {
+    if (now.stage_index() + 1 >= stages_) return;  // a trial
+    const bool settled = now.stage_ended() && now.stage_index() + 2 == stages_;
+    const bool due = interval_ > 0.0 && since(last_) >= interval_;
+    if (settled || due || stop_requested()) keep(now);
+  }
+  void begin_again(double strengthening) {
+    forget_state(folder_);
+    record_.strengthening = strengthening;
+    record_.settle_wall_s = seconds();
+    write_search(folder_, record_);
+  }
+  double seconds() const { return before_ + since(start_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  void keep(const Simulation& now) {
+    last_ = Clock::now();
+    record_.settle_wall_s = seconds();
+    try {
+      keep_state(folder_, now);
+    } catch (const FileError& error) {
+      fmt::print(stderr, "warning: the state is not kept: {}\n", error.what());
+    }
+    write_search(folder_, record_);
+  }
+
+  const fs::path& folder_;
+  SearchRecord& record_;
+  std::size_t stages_;
+  double interval_, before_;  ///< [s]
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+/// Settles, with as much strength as the slope needs for it, and with the cost of all attempts,
+/// from where it was left.
 std::optional<StrengthReduction> settle(const Scene& scene, const FosArguments& arguments,
-                                        FosReport& report, TrialProgress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  std::optional<StandingSlope> standing =
-      settle_standing(scene, arguments.scene.options, report.criterion, std::ref(progress),
-                      [&](double strengthening) {
-                        progress.end();
-                        if (arguments.quiet) return;
-                        fmt::print(stderr,
-                                   "the slope fails with the strength it settles with: once more "
-                                   "from the start, with {:g} times the scene's\n",
-                                   strengthening);
-                      });
+                                        FosReport& report, SearchRecord& record,
+                                        const fs::path& folder, TrialProgress& progress) {
+  SettlingKeeper keeper(scene, folder, record);
+  const auto told = [&](double strengthening) {
+    progress.end();
+    keeper.begin_again(strengthening);
+    if (arguments.quiet) return;
+    fmt::print(stderr,
+               "the slope fails with the strength it settles with: once more from the start, with "
+               "{:g} times the scene's\n",
+               strengthening);
+  };
+  const auto each_step = [&](const Simulation& now) {
+    const bool goes_on = progress(now);
+    keeper.after_step(now);
+    return goes_on;
+  };
+  SettleStart start{record.strengthening, kept_settling(folder), record.elastic};
+  if (start.state && !arguments.quiet) {
+    fmt::print(stderr, "goes on with the state at {:.4g} s\n",
+               start.state->numbers("clock/time", 1).front());
+  }
+  const auto attempt = [&] {
+    return settle_standing(scene, arguments.scene.options, report.criterion, each_step, told,
+                           start);
+  };
+  std::optional<StandingSlope> standing;
+  try {
+    standing = attempt();
+  } catch (const CheckpointError& error) {
+    fmt::print(stderr, "warning: settles from the start: {}\n", error.what());
+    start.state.reset();
+    standing = attempt();
+  }
   progress.end();
   if (!standing) return {};
   report.strengthening = standing->strengthening;
   report.settle_time = standing->settle_time;
   report.settled_at_rest = standing->slope.settled().stage_reached_rest();
-  const double elastic = standing->slope.elastic() ? standing->slope.elastic()->wall_s : 0.0;
-  report.settle_wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() - elastic;
+  report.settle_wall_s = record.settle_wall_s;
   return std::move(standing->slope);
 }
 
 /// What is begun, from the scene as it starts.
-void announce(const Scene& scene, const FosArguments& arguments, const fs::path& folder) {
-  const Simulation start(scene, arguments.scene.options);
+void announce(const Simulation& start, const FosArguments& arguments, const fs::path& folder) {
+  const Scene& scene = start.scene();
   for (const std::string& warning : initial_stress_warnings(start))
     fmt::print(stderr, "warning: {}\n", warning);
   if (arguments.quiet) return;
   fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
              scene.title.empty() ? arguments.scene.file : scene.title, start.soil_count(),
              start.wall_count(), start.isa(), start.threads(), folder.string());
+}
+
+/// Replaces the trial of this factor, or adds it.
+void remember(SearchRecord& known, const FactorOfSafety& found, const Trial& trial) {
+  known.elastic = found.elastic;
+  const auto same = [&](const Trial& t) { return t.reduction == trial.reduction; };
+  if (found.trials.empty() || std::any_of(known.trials.begin(), known.trials.end(), same)) return;
+  known.trials.push_back(trial);
+}
+
+int say_how_to_go_on(const fs::path& folder) {
+  fmt::print(stderr, "Stopped; what has been found is in {}. To go on: the same command again.\n",
+             folder.string());
+  return interrupted;
 }
 
 }  // namespace
@@ -139,38 +224,67 @@ int fos_command(const FosArguments& arguments) {
   const fs::path folder = output_folder(arguments, scene);
   const FolderLock lock(folder);
   claim_folder(folder, Command::fos, scene, arguments.overwrite);
-  announce(scene, arguments, folder);
   catch_interrupts();
+  SearchRecord record;
+  {
+    const Simulation start(scene, arguments.scene.options);
+    record = begin_search(folder, scene, search_key(start, report.criterion));
+    announce(start, arguments, folder);
+    if (!arguments.quiet && checkpoints_in(folder).empty())
+      fmt::print(stderr, "{}\n", search_forecast(start, report.criterion, search));
+  }
+  write_search(folder, record);
   TrialProgress progress(arguments.quiet);
-  std::optional<StrengthReduction> standing = settle(scene, arguments, report, progress);
-  if (!standing) return interrupted;
+  std::optional<StrengthReduction> standing =
+      settle(scene, arguments, report, record, folder, progress);
+  if (!standing) return say_how_to_go_on(folder);
   StrengthReduction& slope = *standing;
   CsvFile table(folder / "fos.csv", trial_titles());
+  if (!arguments.quiet && !record.trials.empty())
+    fmt::print(stderr, "{} trials are known from before\n", record.trials.size());
   const auto done = [&](const FactorOfSafety& found, const Trial& trial) {
     progress.end();
     report.found = found;
     report.criterion = slope.criterion();
+    remember(record, found, trial);
+    write_search(folder, record);
     if (found.trials.empty()) return;  // the elastic response
     for (const double cell : trial_cells(trial)) table << cell;
     table.end_row();
-    if (!arguments.quiet) fmt::print(stderr, "{}\n", trial_sentence(trial, found.bracket));
+    if (arguments.quiet) return;
+    const std::string left = time_left(search, found);
+    fmt::print(stderr, "{}{}{}\n", trial_sentence(trial, found.bracket), left.empty() ? "" : "; ",
+               left);
   };
+  const auto end_search = [&] {
+    record.ended = true;
+    write_search(folder, record);
+  };
+  const std::vector<Trial> known = record.trials;
   try {
-    report.found = find_factor(slope, search, std::ref(progress), done);
+    report.found = find_factor(slope, search, std::ref(progress), done, known);
     progress.end();
     if (stop_requested()) report.failure = "stopped on request";
-    if (report.failure.empty() && report.found.bracket.fails) {
-      run_failure(slope, *report.found.bracket.fails, folder / "failure", std::ref(progress));
+    const std::optional<double> fails = report.found.bracket.fails;
+    const bool shown = fails && record.failure_run == fails && run_is_complete(folder / "failure");
+    if (report.failure.empty() && fails && !shown) {
+      run_failure(slope, *fails, folder / "failure", std::ref(progress));
       progress.end();
+      if (!stop_requested()) record.failure_run = fails;
     }
+  } catch (const SceneError&) {  // nothing to go on with
+    end_search();
+    throw;
   } catch (const SimulationInstability& instability) {  // what is known stays
     progress.end();
     report.failure = instability.what();
+    end_search();
     write_outputs(report, slope.settled(), folder, arguments);
     throw;
   }
   write_outputs(report, slope.settled(), folder, arguments);
-  if (stop_requested()) return interrupted;
+  if (stop_requested()) return say_how_to_go_on(folder);
+  end_search();
   try {  // without Python the numbers are there all the same
     report_command(folder.string(), arguments.scene.json == "-");
   } catch (const FileError& error) {

@@ -88,13 +88,6 @@ std::vector<std::string> notes(const FosReport& report, const Simulation& settle
   return found;
 }
 
-Json json_of(const Trial& trial) {
-  return {{"reduction", trial.reduction}, {"fails", trial.fails},
-          {"end", word(trial.end)},       {"displacement", trial.displacement},
-          {"speed", trial.speed},         {"time", trial.time},
-          {"steps", trial.steps},         {"wall_s", trial.wall_s}};
-}
-
 double total_wall(const FosReport& report) {
   double total = report.settle_wall_s + report.found.elastic.wall_s;
   for (const Trial& trial : report.found.trials) total += trial.wall_s;
@@ -113,6 +106,13 @@ const char* word(TrialEnd end) {
       return "window over";
   }
   return "";
+}
+
+Json json_of(const Trial& trial) {
+  return {{"reduction", trial.reduction}, {"fails", trial.fails},
+          {"end", word(trial.end)},       {"displacement", trial.displacement},
+          {"speed", trial.speed},         {"time", trial.time},
+          {"steps", trial.steps},         {"wall_s", trial.wall_s}};
 }
 
 std::string trial_sentence(const Trial& trial, const Bracket& bracket) {

@@ -2,6 +2,7 @@
 /// What `scarp fos` prints and writes.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ std::string fos_text(const FosReport& report, const Simulation& settled);
 
 /// fos.json, version 1 (`engine/output/FORMATS.md`).
 std::string fos_json(const FosReport& report, const Simulation& settled);
+
+/// A trial as fos.json and search.json have it.
+nlohmann::ordered_json json_of(const Trial& trial);
 
 /// Titles and cells of fos.csv: one row for each trial.
 std::vector<std::string> trial_titles();

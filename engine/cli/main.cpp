@@ -65,11 +65,16 @@ void refuse_empty_values(CLI::App& app) {
 }
 
 CLI::App* add_resume_command(CLI::App& app, ResumeArguments& resume) {
-  CLI::App* command = app.add_subcommand(
-      "resume", "Go on with a run that was stopped or killed, from its last checkpoint");
+  CLI::App* command = app.add_subcommand("resume",
+                                         "Go on with a run that was stopped or killed, from its "
+                                         "last checkpoint, or through more stages");
   command->add_option("folder", resume.folder, "Output folder of the run")
       ->required()
       ->check(CLI::ExistingDirectory);
+  command->add_option("--scene", resume.scene,
+                      "The run's scene with more stages behind the last: go on through them");
+  command->add_flag("--accept-tables", resume.accept_tables,
+                    "Go on behind the rows that are there, changed or missing ones too");
   add_isa_option(*command, resume.options);
   add_threads_option(*command, resume.options);
   command->add_option("--json", resume.json, "Write the numbers here, - for standard output");

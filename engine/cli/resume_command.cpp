@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/checkpoint/scene_text.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/drive.hpp"
 #include "engine/cli/run_record.hpp"
@@ -24,25 +25,34 @@ namespace fs = std::filesystem;
 struct Resumed {
   Simulation simulation;
   RunWriter writer;
+  Recovery recovery;
 };
 
-Resumed go_on_from(const fs::path& checkpoint, const Scene& scene, const RunOptions& options,
-                   const fs::path& folder) {
+/// What a run goes on with.
+struct Run {
+  fs::path folder;
+  Scene scene;
+  RunOptions options;
+  OldTables tables = OldTables::as_recorded;
+};
+
+Resumed go_on_from(const fs::path& checkpoint, const Run& run) {
   const Snapshot snapshot = read_checkpoint(checkpoint);
-  Simulation simulation(scene, snapshot, options);
-  RunWriter writer(simulation, folder, snapshot);
-  return {std::move(simulation), std::move(writer)};
+  Simulation simulation(run.scene, snapshot, run.options);
+  RunWriter writer(simulation, run.folder, snapshot, run.tables);
+  Recovery recovery(simulation, writer, snapshot);
+  return {std::move(simulation), std::move(writer), std::move(recovery)};
 }
 
 /// From the newest checkpoint that can be used; those that cannot are removed, since later ones
 /// would count as older. Nothing if there is none at all. Errors: CheckpointError if none is good.
-std::optional<Resumed> go_on(const Scene& scene, const RunOptions& options,
-                             const fs::path& folder) {
-  const std::vector<fs::path> checkpoints = checkpoints_in(folder);
+std::optional<Resumed> go_on(const Run& run) {
+  const std::vector<fs::path> checkpoints = checkpoints_in(run.folder);
+  std::error_code stays;  // such as a folder with something in it
   for (std::size_t k = 0; k < checkpoints.size(); ++k) {
     try {
-      Resumed resumed = go_on_from(checkpoints[k], scene, options, folder);
-      for (std::size_t bad = 0; bad < k; ++bad) fs::remove(checkpoints[bad]);
+      Resumed resumed = go_on_from(checkpoints[k], run);
+      for (std::size_t bad = 0; bad < k; ++bad) fs::remove(checkpoints[bad], stays);
       return resumed;
     } catch (const CheckpointError& error) {
       fmt::print(stderr, "warning: {}: {}\n", checkpoints[k].filename().string(), error.what());
@@ -50,14 +60,16 @@ std::optional<Resumed> go_on(const Scene& scene, const RunOptions& options,
   }
   if (checkpoints.empty()) return {};
   throw CheckpointError(fmt::format(
-      "'{}': no checkpoint can be used; the warnings say why. To start over: scarp run.",
-      folder.string()));
+      "'{}': no checkpoint can be used; the warnings say why. To start over: scarp run {} -o {} "
+      "--overwrite",
+      run.folder.string(), run.scene.file, run.folder.string()));
 }
 
-Resumed start_over(const Scene& scene, const RunOptions& options, const fs::path& folder) {
-  Simulation simulation(scene, options);
-  RunWriter writer(simulation, folder);
-  return {std::move(simulation), std::move(writer)};
+Resumed start_over(const Run& run) {
+  Simulation simulation(run.scene, run.options);
+  RunWriter writer(simulation, run.folder);
+  Recovery recovery(simulation, writer);
+  return {std::move(simulation), std::move(writer), std::move(recovery)};
 }
 
 /// The run has its scene from the record; who has edited a file may believe otherwise.
@@ -68,10 +80,16 @@ void say_what_has_changed(const RunRecord& record, const Scene& scene, const fs:
                "scarp run {} -o {} --overwrite\n",
                change, record.scene_name, folder.string());
   }
+}
+
+/// The copy of the scene is written again; one that somebody has worked on is not lost by it.
+void put_edited_copy_aside(const RunRecord& record, const fs::path& folder,
+                           const std::string& scene) {
   const fs::path copy = folder / "scene.toml";
   std::error_code ignored;
-  const bool own = fs::equivalent(copy, record.scene_name, ignored);
-  if (own || !fs::exists(copy, ignored) || read_text(copy) == record.scene_text) return;
+  const bool in_use = fs::equivalent(copy, record.scene_name, ignored) ||
+                      (!scene.empty() && fs::equivalent(copy, scene, ignored));
+  if (in_use || !fs::exists(copy, ignored) || read_text(copy) == record.scene_text) return;
   const fs::path aside = folder / "scene_edited.toml";
   fs::rename(copy, aside, ignored);
   fmt::print(stderr,
@@ -79,36 +97,82 @@ void say_what_has_changed(const RunRecord& record, const Scene& scene, const fs:
              copy.string(), aside.string());
 }
 
+/// The scene with more stages. Errors: SceneError that names the first other difference.
+Scene longer_scene(const std::string& file, const RunRecord& record, const Scene& recorded) {
+  Scene longer = read_scene(file, record.overrides);
+  const std::string before = scene_text(recorded), now = scene_text(longer);
+  const std::string outputs = first_difference(output_text(recorded), output_text(longer));
+  if (only_adds_stages(before, now) && outputs.empty()) return longer;
+  throw SceneError(fmt::format(
+      "{}: it is not the scene of the run with more stages behind the last one: there {}. Try a "
+      "copy of the run's scene.toml with more [[stage]] at its end.",
+      file, only_adds_stages(before, now) ? outputs : first_difference(before, now)));
+}
+
+bool go_on_is_needed(const fs::path& folder, bool more_stages) {
+  if (more_stages || !run_is_complete(folder)) return true;
+  fmt::print(stderr,
+             "{}: the run is complete; there is nothing to go on with. More stages: scarp resume "
+             "{} --scene LONGER.toml\n",
+             folder.string(), folder.string());
+  return false;
+}
+
+void warn_of_another_program(const RunRecord& record) {
+  if (record.program == program_version()) return;
+  fmt::print(stderr, "warning: begun by scarp {}, which may not give the same bits as {}.\n",
+             record.program, program_version());
+}
+
+void say_where(const Resumed& resumed, const fs::path& folder, bool over) {
+  const StepReport& last = resumed.simulation.last_step();
+  fmt::print(stderr, "{}: {} at step {}, {:.4g} s, {}, {} threads\n", folder.string(),
+             over ? "no checkpoint, starts over" : "goes on", last.step, last.time,
+             resumed.simulation.isa(), resumed.simulation.threads());
+}
+
 }  // namespace
 
 int resume_command(const ResumeArguments& arguments) {
-  const fs::path folder(arguments.folder);
-  const RunRecord record = read_record(folder);
-  const FolderLock lock(folder);
-  const Scene scene = read_scene_text(record.scene_text, record.scene_name, record.overrides);
-  say_what_has_changed(record, scene, folder);
-  if (run_is_complete(folder)) {
-    fmt::print(stderr, "{}: the run is complete; there is nothing to go on with.\n",
-               folder.string());
-    return ok;
+  Run run;
+  run.folder = arguments.folder;
+  RunRecord record = read_record(run.folder);
+  const FolderLock lock(run.folder);
+  run.scene = read_scene_text(record.scene_text, record.scene_name, record.overrides);
+  bool more_stages = false;
+  if (arguments.scene.empty()) {
+    say_what_has_changed(record, run.scene, run.folder);
+  } else {
+    const std::size_t stages = run.scene.stages.size();
+    run.scene = longer_scene(arguments.scene, record, run.scene);
+    more_stages = run.scene.stages.size() > stages;
   }
-  if (record.program != program_version()) {
-    fmt::print(stderr, "warning: begun by scarp {}, which may not give the same bits as {}.\n",
-               record.program, program_version());
+  put_edited_copy_aside(record, run.folder, arguments.scene);
+  if (!go_on_is_needed(run.folder, more_stages)) return ok;
+  if (more_stages && run_is_complete(run.folder) && checkpoints_in(run.folder).empty()) {
+    throw CheckpointError(fmt::format(
+        "'{}': the run left no checkpoint of its end, from which more stages could go on. Try "
+        "[checkpoint] in the scene, and scarp run.",
+        run.folder.string()));
   }
-  RunOptions options = arguments.options;
-  if (options.isa.empty()) options.isa = record.isa;
-  if (options.threads == 0) options.threads = record.threads;
-  std::optional<Resumed> resumed = go_on(scene, options, folder);
+  warn_of_another_program(record);
+  run.options = arguments.options;
+  if (run.options.isa.empty()) run.options.isa = record.isa;
+  if (run.options.threads == 0) run.options.threads = record.threads;
+  if (arguments.accept_tables) run.tables = OldTables::as_they_are;
+  std::optional<Resumed> resumed = go_on(run);
   const bool over = !resumed;
-  if (over) resumed.emplace(start_over(scene, options, folder));
-  if (!arguments.quiet) {
-    const StepReport& last = resumed->simulation.last_step();
-    fmt::print(stderr, "{}: {} at step {}, {:.4g} s, {}, {} threads\n", folder.string(),
-               over ? "no checkpoint, starts over" : "goes on", last.step, last.time,
-               resumed->simulation.isa(), resumed->simulation.threads());
+  if (over) resumed.emplace(start_over(run));
+  if (more_stages) {
+    record.scene_name = run.scene.file;
+    record.scene_text = run.scene.text;
+    write_record(run.folder, record);
   }
-  return drive(resumed->simulation, resumed->writer, {arguments.json, arguments.quiet});
+  for (const std::string& warning : resumed->writer.warnings())
+    fmt::print(stderr, "warning: {}\n", warning);
+  if (!arguments.quiet) say_where(*resumed, run.folder, over);
+  return drive(resumed->simulation, resumed->writer, std::move(resumed->recovery),
+               {arguments.json, arguments.quiet});
 }
 
 }  // namespace scarp::cli

@@ -87,7 +87,8 @@ int run_command(const RunArguments& arguments) {
   begin_run(folder, {program_version(), scene.file, scene.text, overrides_of(arguments.scene),
                      simulation.isa(), arguments.scene.options.threads});
   RunWriter writer(simulation, folder);
-  return drive(simulation, writer, {arguments.scene.json, arguments.quiet});
+  return drive(simulation, writer, Recovery(simulation, writer),
+               {arguments.scene.json, arguments.quiet});
 }
 
 }  // namespace scarp::cli

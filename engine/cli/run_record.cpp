@@ -31,6 +31,10 @@ Json results_of(const std::filesystem::path& folder) {
 void begin_run(const std::filesystem::path& folder, const RunRecord& record) {
   remove_file(folder / "results.json");
   remove_checkpoints(folder);
+  write_record(folder, record);
+}
+
+void write_record(const std::filesystem::path& folder, const RunRecord& record) {
   const std::string text = Json{{"format", "scarp run"},
                                 {"version", format_version},
                                 {"program", record.program},

@@ -22,6 +22,9 @@ struct RunRecord {
 /// checkpoints and results of an earlier run, then writes run.json. Errors: FileError.
 void begin_run(const std::filesystem::path& folder, const RunRecord& record);
 
+/// Writes run.json for a run that goes on with a longer scene. Errors: FileError.
+void write_record(const std::filesystem::path& folder, const RunRecord& record);
+
 /// Errors: FileError if the folder holds no run.
 RunRecord read_record(const std::filesystem::path& folder);
 

@@ -4,6 +4,7 @@
 #include "engine/fos/limit_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace scarp {
 namespace {
@@ -15,6 +16,17 @@ constexpr double outward = 1.5;
 std::optional<double> Bracket::factor() const {
   if (!stands || !fails) return {};
   return 0.5 * (*stands + *fails);
+}
+
+int trials_left(const SearchOptions& options, const Bracket& bracket) {
+  const bool closed = bracket.stands && bracket.fails;
+  const double low = closed ? *bracket.stands : 1.0;
+  const double high = closed                                            ? *bracket.fails
+                      : options.to && !bracket.stands && !bracket.fails ? *options.to / options.from
+                                                                        : outward;
+  const double width = (high - low) / (options.tolerance * 0.5 * (high + low));
+  const int halvings = width > 1.0 ? static_cast<int>(std::ceil(std::log2(width))) : 0;
+  return halvings + (closed ? 0 : bracket.stands || bracket.fails ? 1 : 2);
 }
 
 Bracket find_limit(const SearchOptions& options,

@@ -26,6 +26,10 @@ struct Bracket {
   std::optional<double> factor() const;
 };
 
+/// Trials that a search still takes once it knows `bracket`, if the factor lies within one step
+/// outward.
+int trials_left(const SearchOptions& options, const Bracket& bracket);
+
 /// Steps outward from `from` by factors of 1.5 until one trial stands and one fails, then halves.
 /// `fails` says of one factor whether the slope fails; empty: it was told to stop, and so does the
 /// search. Without a trial that stands (or fails) within the bounds above an end stays empty. Pre:

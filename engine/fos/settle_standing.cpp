@@ -78,11 +78,14 @@ Scene strengthened(Scene scene, double strengthening) {
 
 std::optional<StandingSlope> settle_standing(const Scene& scene, const RunOptions& options,
                                              const Criterion& criterion, const Proceed& proceed,
-                                             const std::function<void(double)>& told) {
-  for (double strengthening = 1.0;; strengthening *= 2.0) {
+                                             const std::function<void(double)>& told,
+                                             const SettleStart& start) {
+  for (double strengthening = start.strengthening;; strengthening *= 2.0) {
+    const bool first = strengthening == start.strengthening;
     const bool last = strengthening >= most_strengthening;
     Simulation simulation(strengthened(scene, strengthening), options);
     const Yielding yielding(simulation, criterion);
+    if (first && start.state) simulation = Simulation(simulation.scene(), *start.state, options);
     bool stopped = false, gave_way = false;
     const bool settled = settle(simulation, [&](const Simulation& now) {
       stopped = proceed && !proceed(now);
@@ -94,7 +97,9 @@ std::optional<StandingSlope> settle_standing(const Scene& scene, const RunOption
     if (settled && (last || yielding.moved(simulation) <= yielding.limit())) {
       const double time = simulation.last_step().time;
       StrengthReduction slope(std::move(simulation), criterion);
-      const std::optional<Trial> elastic = slope.measure_elastic(proceed);
+      if (first && start.elastic) slope.take_elastic(*start.elastic);
+      const std::optional<Trial> elastic =
+          slope.elastic() ? slope.elastic() : slope.measure_elastic(proceed);
       if (!elastic) return {};
       if (last || !elastic->fails) return StandingSlope{std::move(slope), strengthening, time};
     }

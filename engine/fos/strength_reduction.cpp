@@ -188,9 +188,13 @@ std::optional<Trial> StrengthReduction::measure_elastic(const Proceed& proceed) 
   const std::optional<double> own = settled_reduction(settled_.scene());
   std::optional<Trial> trial = run(std::move(simulation), own.value_or(1.0), proceed);
   if (!trial || trial->fails) return trial;
-  criterion_.elastic = trial->displacement;
-  elastic_ = trial;
+  take_elastic(*trial);
   return trial;
+}
+
+void StrengthReduction::take_elastic(const Trial& trial) {
+  criterion_.elastic = trial.displacement;
+  elastic_ = trial;
 }
 
 std::optional<Trial> StrengthReduction::respond(double reduction, const Proceed& proceed) const {
@@ -207,7 +211,8 @@ std::optional<Trial> StrengthReduction::respond(double reduction, const Proceed&
 
 FactorOfSafety find_factor(StrengthReduction& slope, const SearchOptions& search,
                            const Proceed& proceed,
-                           const std::function<void(const FactorOfSafety&, const Trial&)>& done) {
+                           const std::function<void(const FactorOfSafety&, const Trial&)>& done,
+                           const std::vector<Trial>& known) {
   FactorOfSafety found;
   const std::optional<Trial> elastic =
       slope.elastic() ? slope.elastic() : slope.measure_elastic(proceed);
@@ -216,7 +221,11 @@ FactorOfSafety find_factor(StrengthReduction& slope, const SearchOptions& search
   found.elastic = *elastic;
   if (done) done(found, *elastic);
   found.bracket = find_limit(search, [&](double reduction) -> std::optional<bool> {
-    const std::optional<Trial> trial = slope.respond(reduction, proceed);
+    const auto before = std::find_if(known.begin(), known.end(), [reduction](const Trial& trial) {
+      return trial.reduction == reduction;
+    });
+    const std::optional<Trial> trial =
+        before != known.end() ? *before : slope.respond(reduction, proceed);
     if (!trial) return {};
     found.trials.push_back(*trial);
     std::optional<double>& end = trial->fails ? found.bracket.fails : found.bracket.stands;

@@ -75,6 +75,9 @@ class StrengthReduction {
   std::optional<Trial> measure_elastic(const Proceed& proceed);
   const std::optional<Trial>& elastic() const { return elastic_; }
 
+  /// Takes the elastic response that was measured before.
+  void take_elastic(const Trial& trial);
+
   /// The response to one factor, from a copy of the settled state. Empty: asked to stop. Errors:
   /// SimulationInstability.
   std::optional<Trial> respond(double reduction, const Proceed& proceed) const;
@@ -115,15 +118,24 @@ struct StandingSlope {
   double settle_time = 0.0;    ///< simulated in the last attempt [s]
 };
 
+/// Where an attempt to settle a slope was left.
+struct SettleStart {
+  double strengthening = 1.0;
+  std::optional<Snapshot> state;  ///< of that attempt; empty: its start
+  std::optional<Trial> elastic;   ///< known once it had settled
+};
+
 /// Settles a scene and measures its elastic response. Where the slope gives way with the strength
 /// of its settling stages (it fails then, or has moved while it settled by more than the
 /// criterion's limit beyond the settlement gamma H^2/(2 M) of the soil's height, in a scene whose
 /// walls stay), it is settled
 /// again from the start with twice the strength: `told` hears the next strengthening before. At 16
-/// times it is taken as it is. Empty: `proceed` asked to stop. Errors: SimulationInstability.
+/// times it is taken as it is. Empty: `proceed` asked to stop. Errors: SimulationInstability;
+/// CheckpointError if the state to begin with cannot be used.
 std::optional<StandingSlope> settle_standing(const Scene& scene, const RunOptions& options,
                                              const Criterion& criterion, const Proceed& proceed,
-                                             const std::function<void(double)>& told = {});
+                                             const std::function<void(double)>& told = {},
+                                             const SettleStart& start = {});
 
 /// All trials of a search and what came out.
 struct FactorOfSafety {
@@ -133,10 +145,12 @@ struct FactorOfSafety {
 };
 
 /// The elastic response, unless it has been measured, then the search. `done` is called after each
-/// trial; `proceed` may be empty. Errors: those of `measure_elastic` and `respond`; SceneError if
-/// the slope fails with the strength it settled with.
+/// trial; `proceed` may be empty; trials of the same slope and criterion that are `known` are not
+/// run again. Errors: those of `measure_elastic` and `respond`; SceneError if the slope fails with
+/// the strength it settled with.
 FactorOfSafety find_factor(
     StrengthReduction& slope, const SearchOptions& search, const Proceed& proceed,
-    const std::function<void(const FactorOfSafety&, const Trial&)>& done = {});
+    const std::function<void(const FactorOfSafety&, const Trial&)>& done = {},
+    const std::vector<Trial>& known = {});
 
 }  // namespace scarp

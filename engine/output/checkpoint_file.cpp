@@ -2,10 +2,12 @@
 /// Checkpoints: HDF5 in memory, its sum behind it.
 #include "engine/output/checkpoint_file.hpp"
 
+#include <unistd.h>
 #include <zlib.h>
 
 #include <array>
 #include <fstream>
+#include <new>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -20,7 +22,7 @@ namespace scarp {
 namespace {
 
 constexpr const char* format_name = "scarp checkpoint";
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 /// The last line of a file. HDF5 readers take no notice of what follows the end of their data.
 std::string ending(std::string_view image) {
@@ -32,12 +34,24 @@ std::string ending(std::string_view image) {
   throw CheckpointError(fmt::format("'{}': {}", path.string(), why));
 }
 
+/// Of this machine [bytes].
+std::uintmax_t physical_memory() {
+  return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::uintmax_t>(sysconf(_SC_PAGESIZE));
+}
+
 std::string checked_image(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
   std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    refuse(path, "is no file but a folder, pipe or device. Try the checkpoint before it.");
+  }
+  std::ifstream stream(path, std::ios::binary);
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!stream || error) refuse(path, "cannot be read. Try to check its name and rights.");
   if (size == 0) refuse(path, "is empty. Try the checkpoint before it.");
+  if (size > physical_memory())
+    refuse(path, "is larger than the memory of this machine. Try the checkpoint before it.");
   std::string image(size, '\0');
   stream.read(image.data(), static_cast<std::streamsize>(size));
   if (!stream) refuse(path, "cannot be read to its end. Try the checkpoint before it.");
@@ -82,8 +96,8 @@ void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapsho
 }
 
 Snapshot read_checkpoint(const std::filesystem::path& path) {
-  const std::string image = checked_image(path);
   try {
+    const std::string image = checked_image(path);
     const hdf5::StoredFile file(image);
     if (file.text_attribute("format") != format_name)
       refuse(path, "is a file of another program. Try a checkpoint of scarp.");
@@ -98,6 +112,8 @@ Snapshot read_checkpoint(const std::filesystem::path& path) {
     return snapshot;
   } catch (const FileError& error) {
     refuse(path, error.what());
+  } catch (const std::bad_alloc&) {
+    refuse(path, "does not fit into memory. Try to free some, or the checkpoint before it.");
   }
 }
 

@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kept = 2;
+constexpr std::size_t checkpoints_kept = 2;
+constexpr const char* kept_pattern = R"(kept_\d{12}\.h5)";
 
 fs::path folder_of(const fs::path& run) { return run / "checkpoints"; }
 
@@ -52,29 +53,52 @@ std::vector<fs::path> checkpoints_in(const fs::path& folder) {
   return files_of(folder, complete);
 }
 
+fs::path checkpoint_of(const fs::path& folder, std::uint64_t step) {
+  return folder_of(folder) / fmt::format("step_{:012}.h5", step);
+}
+
+void make_checkpoint_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directory(folder_of(folder), error);
+  if (error) {
+    throw FileError(
+        fmt::format("'{}': cannot be made: {}.", folder_of(folder).string(), error.message()));
+  }
+}
+
+fs::path kept_state(const fs::path& folder, std::uint64_t step) {
+  return folder_of(folder) / fmt::format("kept_{:012}.h5", step);
+}
+
 void remove_checkpoints_after(const fs::path& folder, std::uint64_t step) {
   for (const fs::path& path : checkpoints_in(folder)) {
-    if (path.filename().string() > fmt::format("step_{:012}.h5", step)) remove_file(path);
+    if (path.filename() > checkpoint_of(folder, step).filename()) remove_file(path);
+  }
+  for (const fs::path& path : files_of(folder, std::regex(kept_pattern))) {
+    if (path.filename() > kept_state(folder, step).filename()) remove_file(path);
   }
 }
 
 void remove_checkpoints(const fs::path& folder) {
-  const std::regex ours(R"(step_\d{12}\.h5(\.part)?)");
+  const std::regex ours(R"((?:step|kept)_\d{12}\.h5(\.part)?)");
   for (const fs::path& path : files_of(folder, ours)) remove_file(path);
 }
 
 CheckpointWriter::CheckpointWriter(const Simulation& simulation, RunWriter& outputs,
-                                   std::function<Clock::time_point()> now)
+                                   std::function<Clock::time_point()> now, Recovery* recovery)
     : outputs_(outputs),
+      recovery_(recovery),
+      kept_(recovery == nullptr ? std::vector<std::uint64_t>{} : recovery->steps()),
       wanted_(simulation.scene().checkpoints),
       now_(std::move(now)),
       next_(next_after(simulation.last_step().time, wanted_.interval)) {
-  const std::regex half_written(R"(step_\d{12}\.h5\.part)");
+  const std::regex half_written(R"((?:step|kept)_\d{12}\.h5\.part)");
   for (const fs::path& path : files_of(outputs_.folder(), half_written)) remove_file(path);
 }
 
 bool CheckpointWriter::due(const Simulation& simulation) {
-  if (simulation.last_step().time >= next_) return true;
+  const bool any = wanted_.interval > 0.0 || wanted_.wall_interval > 0.0;
+  if (simulation.last_step().time >= next_ || (any && simulation.finished())) return true;
   return wanted_.wall_interval > 0.0 &&
          std::chrono::duration<double>(now_() - last_).count() >= wanted_.wall_interval;
 }
@@ -95,19 +119,34 @@ std::string CheckpointWriter::after_step(const Simulation& simulation) {
 
 void CheckpointWriter::write(const Simulation& simulation) {
   simulation.require_sound();
-  const fs::path folder = folder_of(outputs_.folder());
-  std::error_code error;
-  fs::create_directory(folder, error);
-  if (error) {
-    throw FileError(fmt::format("'{}': cannot be made: {}.", folder.string(), error.message()));
-  }
+  make_checkpoint_folder(outputs_.folder());
   flush_to_disk(outputs_.folder());
   Snapshot snapshot = simulation.snapshot();
   outputs_.add_progress(snapshot);
-  write_checkpoint(folder / fmt::format("step_{:012}.h5", simulation.last_step().step), snapshot);
-  const std::vector<fs::path> all = checkpoints_in(outputs_.folder());
-  for (std::size_t k = kept; k < all.size(); ++k) remove_file(all[k]);
+  std::vector<std::uint64_t> states;
+  if (recovery_ != nullptr) {
+    recovery_->write_states(outputs_.folder());
+    states = recovery_->steps();
+  }
+  snapshot.add("retry/kept_steps", std::vector<std::int64_t>(states.begin(), states.end()));
+  write_checkpoint(checkpoint_of(outputs_.folder(), simulation.last_step().step), snapshot);
+  kept_before_ = std::exchange(kept_, std::move(states));
+  remove_old_files();
   last_ = now_();
+  next_ = next_after(simulation.last_step().time, wanted_.interval);
+}
+
+void CheckpointWriter::remove_old_files() {
+  const std::vector<fs::path> all = checkpoints_in(outputs_.folder());
+  for (std::size_t k = checkpoints_kept; k < all.size(); ++k) remove_file(all[k]);
+  std::vector<fs::path> old = files_of(outputs_.folder(), std::regex(kept_pattern));
+  for (const auto* states : {&kept_, &kept_before_}) {
+    for (const std::uint64_t step : *states) std::erase(old, kept_state(outputs_.folder(), step));
+  }
+  for (const fs::path& path : old) remove_file(path);
+}
+
+void CheckpointWriter::went_back(const Simulation& simulation) {
   next_ = next_after(simulation.last_step().time, wanted_.interval);
 }
 

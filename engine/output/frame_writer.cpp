@@ -23,6 +23,10 @@ namespace {
 
 constexpr std::uint8_t poly_vertex = 2;  // VTK_POLY_VERTEX
 
+/// How many bytes of old frames are read when a run goes on.
+constexpr std::uintmax_t most_summed = std::uintmax_t{2} << 30;
+constexpr std::int64_t most_frames = 999'999'999;
+
 template <class To>
 std::vector<To> converted(const std::vector<double>& values) {
   std::vector<To> result(values.size());
@@ -137,66 +141,131 @@ void write_wall_frame(const std::filesystem::path& path, const Simulation& simul
 }
 
 FrameWriter::FrameWriter(const Simulation& simulation, std::filesystem::path folder)
-    : folder_(std::move(folder)),
-      has_walls_(!simulation.scene().walls.empty()),
-      walls_change_(any_wall_changes(simulation.scene())) {
+    : folder_(std::move(folder)) {
+  const Scene& scene = simulation.scene();
+  has_changing_walls_ = any_wall_changes(scene);
+  has_fixed_walls_ = !scene.walls.empty() && !has_changing_walls_;
   clear_frames(folder_, 0);
 }
 
 FrameWriter::FrameWriter(const Simulation& simulation, std::filesystem::path folder,
                          const Snapshot& progress)
-    : folder_(std::move(folder)),
-      times_(progress.numbers("outputs/frame_times")),
-      flushed_(times_.size()),
-      has_walls_(!simulation.scene().walls.empty()),
-      walls_change_(any_wall_changes(simulation.scene())) {
-  for (std::size_t number = 0; number < count(); ++number) {
-    for (const std::filesystem::path& path : files_of_frame(number)) {
-      std::error_code error;
-      if (std::filesystem::exists(path, error)) continue;
-      throw CheckpointError(
-          fmt::format("'{}': is gone, but the run had written it. Try the checkpoint before it, or "
-                      "put it back.",
-                      path.string()));
-    }
+    : folder_(std::move(folder)), frames_(frames_from(progress)) {
+  const Scene& scene = simulation.scene();
+  has_changing_walls_ = any_wall_changes(scene);
+  has_fixed_walls_ = !scene.walls.empty() && !has_changing_walls_;
+  const std::int64_t next = progress.integers("outputs/next_frame", 1).front();
+  if (next > most_frames ||
+      next < (frames_.empty() ? 0 : 1 + static_cast<std::int64_t>(frames_.back().number)))
+    throw CheckpointError("'outputs/next_frame' does not follow the frames before.");
+  next_ = static_cast<std::size_t>(next);
+  std::uintmax_t bytes = 0;
+  for (std::size_t k = frames_.size(); k-- > 0;) {
+    bytes += frames_[k].soil.bytes + frames_[k].walls.bytes;
+    const std::string damage = damage_of(frames_[k], bytes > most_summed);
+    if (damage.empty()) continue;
+    warnings_.push_back(damage + "; the run goes on without this frame");
+    frames_.erase(frames_.begin() + static_cast<std::ptrdiff_t>(k));
   }
-  clear_frames(folder_, count());
+  clear_frames(folder_, next_);
+  flushed_ = frames_.size();
+  if (has_fixed_walls_ && next_ > 0) restore_walls(simulation, progress);
   write_lists();
 }
 
-std::vector<std::filesystem::path> FrameWriter::files_of_frame(std::size_t number) const {
-  std::vector<std::filesystem::path> files{folder_ / frame_name("soil", number)};
-  if (has_walls_ && walls_change_) files.push_back(folder_ / frame_name("walls", number));
-  if (has_walls_ && !walls_change_ && number == 0) files.push_back(folder_ / "walls.hdf");
-  return files;
+std::vector<FrameWriter::Frame> FrameWriter::frames_from(const Snapshot& progress) {
+  const std::vector<double>& times = progress.numbers("outputs/frame_times");
+  const std::size_t count = times.size();
+  const std::vector<std::int64_t>& numbers = progress.integers("outputs/frame_numbers", count);
+  const std::vector<std::int64_t>& marks = progress.integers("outputs/frame_files", 4 * count);
+  std::vector<Frame> frames;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto mark = [&](std::size_t at) {
+      return FileMark{static_cast<std::uintmax_t>(marks[4 * k + at]),
+                      static_cast<std::uint32_t>(marks[4 * k + at + 1])};
+    };
+    const std::int64_t least = k == 0 ? 0 : numbers[k - 1] + 1;
+    if (numbers[k] < least || numbers[k] > most_frames || !std::isfinite(times[k]))
+      throw CheckpointError("'outputs/frame_numbers' does not count frames.");
+    frames.push_back({static_cast<std::size_t>(numbers[k]), times[k], mark(0), mark(2)});
+  }
+  return frames;
+}
+
+std::string FrameWriter::damage_of(const Frame& frame, bool sizes_only) const {
+  const auto look = [&](const char* name, const FileMark& mark) {
+    const std::filesystem::path path = file_of(name, frame.number);
+    const std::string difference = difference_from(path, mark, sizes_only);
+    return difference.empty() ? difference : fmt::format("'{}' {}", path.string(), difference);
+  };
+  const std::string damage = look("soil", frame.soil);
+  return damage.empty() && has_changing_walls_ ? look("walls", frame.walls) : damage;
+}
+
+/// Walls that rest look the same at any moment.
+void FrameWriter::restore_walls(const Simulation& simulation, const Snapshot& progress) {
+  fixed_walls_ = mark_from(progress, "outputs/walls_file");
+  const std::filesystem::path path = folder_ / "walls.hdf";
+  const std::string difference = difference_from(path, fixed_walls_);
+  if (difference.empty()) return;
+  warnings_.push_back(fmt::format("'{}' {}; it is written again", path.string(), difference));
+  write_wall_frame(path, simulation);
+  fixed_walls_ = mark_of(path).value_or(FileMark{});
+}
+
+std::filesystem::path FrameWriter::file_of(const char* name, std::size_t number) const {
+  return folder_ / frame_name(name, number);
 }
 
 void FrameWriter::add_progress(Snapshot& snapshot) {
-  for (; flushed_ < count(); ++flushed_) {
-    for (const std::filesystem::path& path : files_of_frame(flushed_)) flush_to_disk(path);
+  const auto flushed_mark = [](const std::filesystem::path& path) {
+    flush_to_disk(path);
+    const std::optional<FileMark> mark = mark_of(path);
+    if (!mark) throw FileError(fmt::format("'{}': cannot be read again.", path.string()));
+    return *mark;
+  };
+  for (; flushed_ < frames_.size(); ++flushed_) {
+    Frame& frame = frames_[flushed_];
+    frame.soil = flushed_mark(file_of("soil", frame.number));
+    if (has_changing_walls_) frame.walls = flushed_mark(file_of("walls", frame.number));
+    if (has_fixed_walls_ && frame.number == 0) fixed_walls_ = flushed_mark(folder_ / "walls.hdf");
   }
   flush_to_disk(folder_);
-  snapshot.add("outputs/frame_times", "s", times_);
+  std::vector<double> times;
+  std::vector<std::int64_t> numbers, files;
+  for (const Frame& frame : frames_) {
+    times.push_back(frame.time);
+    numbers.push_back(static_cast<std::int64_t>(frame.number));
+    for (const FileMark& mark : {frame.soil, frame.walls}) {
+      files.push_back(static_cast<std::int64_t>(mark.bytes));
+      files.push_back(mark.sum);
+    }
+  }
+  snapshot.add("outputs/frame_times", "s", std::move(times));
+  snapshot.add("outputs/frame_numbers", std::move(numbers));
+  snapshot.add("outputs/frame_files", std::move(files));
+  snapshot.add("outputs/next_frame", std::vector{static_cast<std::int64_t>(next_)});
+  if (has_fixed_walls_) add_mark(snapshot, "outputs/walls_file", fixed_walls_);
 }
 
 void FrameWriter::write(const Simulation& simulation, std::string_view event) {
-  const std::vector<std::filesystem::path> files = files_of_frame(count());
-  write_soil_frame(files.front(), simulation, event);
-  if (files.size() > 1) write_wall_frame(files.back(), simulation);
-  times_.push_back(simulation.last_step().time);
+  write_soil_frame(file_of("soil", next_), simulation, event);
+  if (has_changing_walls_) write_wall_frame(file_of("walls", next_), simulation);
+  if (has_fixed_walls_ && next_ == 0) write_wall_frame(folder_ / "walls.hdf", simulation);
+  frames_.push_back({next_++, simulation.last_step().time, {}, {}});
   write_lists();
 }
 
 void FrameWriter::write_lists() const {
   write_series("soil");
-  if (has_walls_ && walls_change_) write_series("walls");
+  if (has_changing_walls_) write_series("walls");
 }
 
 void FrameWriter::write_series(std::string_view name) const {
   nlohmann::ordered_json series{{"file-series-version", "1.0"},
                                 {"files", nlohmann::ordered_json::array()}};
-  for (std::size_t n = 0; n < times_.size(); ++n) {
-    series["files"].push_back({{"name", frame_name(name, n)}, {"time", times_[n]}});
+  for (const Frame& frame : frames_) {
+    series["files"].push_back({{"name", frame_name(name, frame.number)}, {"time", frame.time}});
   }
   replace_file(folder_ / (std::string(name) + ".hdf.series"), series.dump(1) + "\n");
 }

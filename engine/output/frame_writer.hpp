@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/output/file_mark.hpp"
 #include "engine/simulation.hpp"
 
 namespace scarp {
@@ -32,27 +34,40 @@ class FrameWriter {
   FrameWriter(const Simulation& simulation, std::filesystem::path folder);
 
   /// Goes on with the frames of a run of which `progress` is a snapshot; later ones are removed.
-  /// Errors: CheckpointError if frames are missing.
+  /// Those that are missing or are not as they were written are left out from the list of moments,
+  /// and `warnings()` names them. Sums are formed of the newest 2 GiB, older ones only measured.
+  /// Errors: CheckpointError.
   FrameWriter(const Simulation& simulation, std::filesystem::path folder, const Snapshot& progress);
 
   /// Errors: FileError; the frames before stay valid.
   void write(const Simulation& simulation, std::string_view event);
 
-  /// Flushes the frames to the disk and adds their times. Errors: FileError.
+  /// Flushes the frames to the disk and adds their times, sizes and sums. Errors: FileError.
   void add_progress(Snapshot& snapshot);
 
-  std::size_t count() const { return times_.size(); }
+  std::size_t count() const { return frames_.size(); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  std::vector<std::filesystem::path> files_of_frame(std::size_t number) const;
+  struct Frame {
+    std::size_t number = 0;  ///< in its file names
+    double time = 0.0;       ///< [s]
+    FileMark soil, walls;    ///< known once flushed
+  };
+  static std::vector<Frame> frames_from(const Snapshot& progress);
+  std::string damage_of(const Frame& frame, bool sizes_only) const;
+  void restore_walls(const Simulation& simulation, const Snapshot& progress);
+  std::filesystem::path file_of(const char* name, std::size_t number) const;
   void write_lists() const;
   void write_series(std::string_view name) const;
 
   std::filesystem::path folder_;
-  std::vector<double> times_;
+  std::vector<Frame> frames_;
+  std::size_t next_ = 0;     ///< number of the next frame
   std::size_t flushed_ = 0;  ///< frames known to be on the disk
-  bool has_walls_ = false;
-  bool walls_change_ = false;
+  FileMark fixed_walls_;     ///< of walls.hdf, known once a frame was flushed
+  bool has_fixed_walls_ = false, has_changing_walls_ = false;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace scarp

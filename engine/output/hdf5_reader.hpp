@@ -11,7 +11,8 @@
 
 namespace scarp::hdf5 {
 
-/// Errors: every member throws FileError with HDF5's reason.
+/// Errors: every member throws FileError with HDF5's reason. Nothing is believed that would take
+/// more memory than the file has bytes, or that lies outside of it.
 class StoredFile {
  public:
   /// `image` must outlive it.
@@ -27,10 +28,12 @@ class StoredFile {
   std::vector<SnapshotItem> items() const;
 
  private:
-  SnapshotItem item(const std::string& name) const;
+  /// `left`: bytes that the items to come may take, less what this one takes.
+  SnapshotItem item(const std::string& name, std::size_t& left) const;
   std::string text_of(hid_t attribute) const;
 
   QuietErrors quiet_;
+  std::size_t image_bytes_;
   Handle file_;
 };
 

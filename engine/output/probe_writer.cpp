@@ -79,37 +79,42 @@ Titles energy_titles(const Scene& scene) {
   return titles;
 }
 
-std::string bytes_item(const char* name) { return fmt::format("outputs/{}_bytes", name); }
+std::string mark_item(const char* name) { return fmt::format("outputs/{}_bytes_and_sum", name); }
 
 CsvFile table(const std::filesystem::path& folder, const char* name, const Snapshot* progress,
-              const Titles& titles) {
+              OldTables tables, const Titles& titles) {
   const std::filesystem::path path = folder / fmt::format("{}.csv", name);
   if (progress == nullptr) return {path, titles};
-  return {path, static_cast<std::uintmax_t>(progress->integers(bytes_item(name), 1).front())};
+  const FileMark mark = mark_from(*progress, mark_item(name));
+  if (tables == OldTables::as_they_are) return CsvFile::as_it_is(path, mark.bytes, titles);
+  return {path, mark};
 }
 
 }  // namespace
 
 ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder)
-    : ProbeWriter(simulation, folder, nullptr) {}
+    : ProbeWriter(simulation, folder, nullptr, OldTables::as_recorded) {}
 ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
-                         const Snapshot& progress)
-    : ProbeWriter(simulation, folder, &progress) {}
+                         const Snapshot& progress, OldTables tables)
+    : ProbeWriter(simulation, folder, &progress, tables) {}
 
 ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
-                         const Snapshot* progress)
+                         const Snapshot* progress, OldTables tables)
     : history_(
-          table(folder, "history", progress,
+          table(folder, "history", progress, tables,
                 {"time [s]", "stage", "step", "time_step [s]", "limit", "max_velocity [m/s]"})) {
   const Scene& scene = simulation.scene();
-  if (!scene.probes.empty()) probes_ = table(folder, "probes", progress, probe_titles(scene));
-  if (!scene.walls.empty()) walls_ = table(folder, "walls", progress, wall_titles(scene));
-  if (scene.output.energy) energy_ = table(folder, "energy", progress, energy_titles(scene));
+  const auto with = [&](const char* name, const Titles& titles) {
+    return table(folder, name, progress, tables, titles);
+  };
+  if (!scene.probes.empty()) probes_ = with("probes", probe_titles(scene));
+  if (!scene.walls.empty()) walls_ = with("walls", wall_titles(scene));
+  if (scene.output.energy) energy_ = with("energy", energy_titles(scene));
 }
 
 void ProbeWriter::add_progress(Snapshot& snapshot) const {
   const auto add = [&snapshot](const char* name, const CsvFile& file) {
-    snapshot.add(bytes_item(name), std::vector{static_cast<std::int64_t>(file.flushed_bytes())});
+    add_mark(snapshot, mark_item(name), file.flushed());
   };
   add("history", history_);
   if (probes_) add("probes", *probes_);

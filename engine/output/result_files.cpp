@@ -31,8 +31,8 @@ constexpr Names names[]{
           R"(|failure_\w+\.png|\w+_\d{5,9}\.png)"},
     Names{Kind::output, "", R"((?:history|probes|walls|energy)\.csv|results\.json)"},
     Names{Kind::output, "frames", R"((?:soil|walls)(?:_\d{5,9})?\.hdf(?:\.series)?)"},
-    Names{Kind::record, "checkpoints", R"(step_\d{12}\.h5)"},
-    Names{Kind::record, "", R"((?:run|outcome|fos|converge)\.json|(?:fos|converge)\.csv)"},
+    Names{Kind::record, "checkpoints", R"((?:step|kept)_\d{12}\.h5)"},
+    Names{Kind::record, "", R"((?:run|outcome|fos|search|converge)\.json|(?:fos|converge)\.csv)"},
 };
 
 /// Folders in which `scarp fos` and `scarp converge` keep whole runs.

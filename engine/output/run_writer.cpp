@@ -11,6 +11,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "engine/checkpoint/finite_numbers.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/result_files.hpp"
 #include "engine/output/text_file.hpp"
@@ -69,8 +70,8 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder)
 }
 
 RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
-                     const Snapshot& progress)
-    : folder_(made(std::move(folder))), histories_(simulation, folder_, progress) {
+                     const Snapshot& progress, OldTables tables)
+    : folder_(made(std::move(folder))), histories_(simulation, folder_, progress, tables) {
   keep_scene(simulation.scene(), folder_);
   remove_page(folder_);
   remove_file(folder_ / "results.json");
@@ -79,6 +80,8 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
   const std::vector<double>& due = progress.numbers("outputs/next_frame_and_row", 2);
   next_frame_ = due[0];
   next_row_ = due[1];
+  if (std::isnan(next_frame_) || std::isnan(next_row_))
+    throw CheckpointError("'outputs/next_frame_and_row' holds no times.");
   const auto step_of = [&progress](const char* item) -> std::optional<std::uint64_t> {
     const std::int64_t step = progress.integers(item, 1).front();
     if (step < 0) return {};
@@ -86,9 +89,10 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
   };
   frame_step_ = step_of("outputs/frame_step");
   row_step_ = step_of("outputs/row_step");
-  seconds_before_ = progress.numbers("outputs/wall_seconds", 1).front();
+  seconds_before_ = finite_numbers(progress, "outputs/wall_seconds", 1).front();
   std::istringstream names(progress.text("outputs/ended_stages"));
-  const std::vector<double>& times = progress.numbers("outputs/end_times");
+  const std::size_t ended = progress.numbers("outputs/end_times").size();
+  const std::vector<double>& times = finite_numbers(progress, "outputs/end_times", ended);
   const std::vector<std::int64_t>& steps = progress.integers("outputs/end_steps", times.size());
   const std::vector<std::int64_t>& rest = progress.integers("outputs/reached_rest", times.size());
   for (std::size_t k = 0; k < times.size(); ++k) {

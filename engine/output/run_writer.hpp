@@ -27,9 +27,10 @@ class RunWriter {
   RunWriter(const Simulation& simulation, std::filesystem::path folder);
 
   /// Goes on with the outputs of a run of which `progress` is a snapshot, as if it had never
-  /// stopped: what was written later is taken back. Errors: FileError; CheckpointError if something
-  /// that had been written is missing.
-  RunWriter(const Simulation& simulation, std::filesystem::path folder, const Snapshot& progress);
+  /// stopped: what was written later is taken back. Errors: FileError; CheckpointError if rows that
+  /// had been written are not there as they were, and `tables` does not accept that.
+  RunWriter(const Simulation& simulation, std::filesystem::path folder, const Snapshot& progress,
+            OldTables tables = OldTables::as_recorded);
 
   /// Call after each step. Errors: FileError.
   void after_step(const Simulation& simulation);
@@ -54,6 +55,10 @@ class RunWriter {
   void add_progress(Snapshot& snapshot);
 
   const std::filesystem::path& folder() const { return folder_; }
+  /// Of the frames that the run goes on without.
+  std::vector<std::string> warnings() const {
+    return frames_ ? frames_->warnings() : std::vector<std::string>{};
+  }
   std::size_t frame_count() const { return frames_ ? frames_->count() : 0; }
 
  private:

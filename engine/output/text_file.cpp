@@ -94,27 +94,41 @@ void replace_file_durably(const std::filesystem::path& path,
   flush_to_disk(path.parent_path());
 }
 
-CsvFile::CsvFile(std::filesystem::path path, std::uintmax_t bytes) : path_(std::move(path)) {
-  std::error_code error;
-  const std::uintmax_t present = std::filesystem::file_size(path_, error);
-  if (error || present < bytes) {
+CsvFile::CsvFile(std::filesystem::path path, const FileMark& mark)
+    : path_(std::move(path)), mark_(mark) {
+  const std::optional<FileMark> present = mark_of(path_, mark.bytes);
+  if (!present || present->sum != mark.sum) {
     throw CheckpointError(fmt::format(
-        "'{}': {}, but the checkpoint goes on behind its first {} bytes. Try the checkpoint before "
-        "it.",
-        path_.string(), error ? error.message() : fmt::format("has {} bytes", present), bytes));
+        "'{}': its first {} bytes are {}, and the run goes on behind them. Try the checkpoint "
+        "before it, or `scarp resume --accept-tables`.",
+        path_.string(), mark.bytes, present ? "not those that were written" : "not all there"));
   }
-  std::filesystem::resize_file(path_, bytes, error);
-  if (error) fail(path_);
+  std::error_code error;
+  std::filesystem::resize_file(path_, mark.bytes, error);
+  if (error) fail(path_, error.value());
   stream_.open(path_, std::ios::binary | std::ios::app);
   check();
 }
 
-std::uintmax_t CsvFile::flushed_bytes() const {
-  flush_to_disk(path_);
+CsvFile CsvFile::as_it_is(std::filesystem::path path, std::uintmax_t most,
+                          const std::vector<std::string>& header) {
   std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(path_, error);
-  if (error) fail(path_);
-  return bytes;
+  if (!std::filesystem::is_regular_file(path, error)) return {std::move(path), header};
+  std::ifstream stream(path, std::ios::binary);
+  FileMark mark;
+  for (std::string row; std::getline(stream, row) && !stream.eof();) {
+    row += '\n';
+    if (mark.bytes + row.size() > most) break;
+    extend(mark, row);
+  }
+  stream.close();
+  if (mark.bytes == 0) return {std::move(path), header};
+  return {std::move(path), mark};
+}
+
+FileMark CsvFile::flushed() const {
+  flush_to_disk(path_);
+  return mark_;
 }
 
 CsvFile::CsvFile(std::filesystem::path path, const std::vector<std::string>& header)
@@ -145,6 +159,7 @@ CsvFile& CsvFile::operator<<(std::string_view text) {
 void CsvFile::end_row() {
   row_ += '\n';
   stream_ << row_ << std::flush;
+  extend(mark_, row_);
   row_.clear();
   check();
 }

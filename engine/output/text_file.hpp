@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/output/file_mark.hpp"
+
 namespace scarp {
 
 /// Writes "PATH.part", then renames it, so that a reader never sees half a file. Errors: FileError.
@@ -28,19 +30,23 @@ void flush_to_disk(const std::filesystem::path& path);
 class CsvFile {
  public:
   CsvFile(std::filesystem::path path, const std::vector<std::string>& header);
-  /// Goes on behind the first `bytes` of a file that is there; what follows them is cut off.
-  /// Errors: CheckpointError if it is shorter.
-  CsvFile(std::filesystem::path path, std::uintmax_t bytes);
+  /// Goes on behind the bytes that `mark` is of; what follows them is cut off. Errors:
+  /// CheckpointError if they are not there or not the same.
+  CsvFile(std::filesystem::path path, const FileMark& mark);
+  /// Goes on behind whatever whole rows are within the first `most` bytes of a file.
+  static CsvFile as_it_is(std::filesystem::path path, std::uintmax_t most,
+                          const std::vector<std::string>& header);
   CsvFile& operator<<(double value);
   CsvFile& operator<<(std::string_view text);
   void end_row();
-  /// On the disk, how much of it. Errors: FileError.
-  std::uintmax_t flushed_bytes() const;
+  /// On the disk, what it holds. Errors: FileError.
+  FileMark flushed() const;
 
  private:
   void check() const;
 
   std::filesystem::path path_;
+  FileMark mark_;
   std::ofstream stream_;
   std::string row_;
 };

@@ -2,6 +2,8 @@
 /// A run that goes on from a snapshot is the run that was never stopped.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <ostream>
@@ -189,6 +191,114 @@ TEST(Snapshot, IsRefusedByAnotherScene) {
   renamed.title = "another title";
   renamed.output.frame_interval = 0.1;
   EXPECT_NO_THROW(Simulation(renamed, snapshot));
+}
+
+/// With one item changed.
+template <class Values>
+Snapshot changed(const Snapshot& whole, const std::string& name,
+                 const std::function<void(Values&)>& change) {
+  Snapshot other;
+  for (SnapshotItem item : whole.items()) {
+    if (item.name == name) change(std::get<Values>(item.values));
+    other.add(std::move(item));
+  }
+  return other;
+}
+using Numbers = std::vector<double>;
+using Integers = std::vector<std::int64_t>;
+
+void expect_refused(const Scene& scene, const Snapshot& snapshot, const std::string& word) {
+  try {
+    Simulation simulation(scene, snapshot, {1, {}});
+    ADD_FAILURE() << "accepted in spite of " << word;
+  } catch (const CheckpointError& error) {
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+TEST(Snapshot, IsRefusedWithAValueThatIsNotFinite) {
+  const Scene scene = slope("modern");
+  const Snapshot whole = test::run_steps(scene, 3).snapshot();
+  for (const SnapshotItem& item : whole.items()) {
+    if (!std::holds_alternative<Numbers>(item.values)) continue;
+    for (const double bad : {std::nan(""), -HUGE_VAL}) {
+      for (const bool last : {false, true}) {
+        const auto change = [&](Numbers& v) { (last ? v.back() : v.front()) = bad; };
+        expect_refused(scene, changed<Numbers>(whole, item.name, change), item.name);
+      }
+    }
+  }
+}
+
+TEST(Snapshot, IsRefusedWithAValueOutOfItsRange) {
+  const Scene scene = slope("modern");
+  const Snapshot whole = test::run_steps(scene, 3).snapshot();
+  const std::vector<std::pair<std::string, std::vector<double>>> numbers{
+      {"clock/step_factor", {0.0, -1.0, 1e-300, 1e300}},
+      {"clock/time", {-1.0}},
+      {"clock/time_step", {-1e-3}},
+      {"clock/growth_base", {-1.0}},
+      {"clock/stage_time", {-1.0, 1e9}},
+      {"stage/damping", {-1.0}},
+      {"stage/start_speed", {-1.0}},
+      {"lists/walls_moved", {-1.0}}};
+  for (const auto& [name, values] : numbers) {
+    for (const double bad : values)
+      expect_refused(scene, changed<Numbers>(whole, name, [&](Numbers& v) { v[0] = bad; }), name);
+  }
+  const std::int64_t huge = std::int64_t{1} << 40;
+  const std::vector<std::pair<std::string, Integers>> integers{
+      {"stage/index", {-1, 2, huge}},
+      {"report/limit", {-1, 8, huge}},
+      {"clock/since_restart", {-1, huge}},
+      {"report/signal_material", {-1, 1, huge}},
+      {"clock/restart", {-1, 2}},
+      {"stage/ended", {2}},
+      {"clock/step", {-1}},
+      {"counts/density_bounds", {-1}}};
+  for (const auto& [name, values] : integers) {
+    for (const std::int64_t bad : values)
+      expect_refused(scene, changed<Integers>(whole, name, [&](Integers& v) { v[0] = bad; }), name);
+  }
+}
+
+TEST(Snapshot, IsRefusedWithAStateThatNoSoilCanBeIn) {
+  const Scene scene = slope("modern");
+  const Snapshot whole = test::run_steps(scene, 3).snapshot();
+  const auto with = [&](const std::string& name, double value) {
+    return changed<Numbers>(whole, name, [&](Numbers& v) { v[0] = value; });
+  };
+  for (const double far : {1e300, -1e12}) {
+    expect_refused(scene, with("fields/position", far), "out of reach");
+    expect_refused(scene, with("fields/build_position", far), "out of reach");
+  }
+  expect_refused(scene, with("fields/velocity", 1e6), "speed");
+  expect_refused(scene, with("fields/density", -5.0), "density");
+  expect_refused(scene, with("fields/density", 1e9), "density");
+  const auto padding = [&](Integers& ids) {
+    const auto place = std::find(ids.begin(), ids.end(), -1);
+    ASSERT_NE(place, ids.end());
+    *place = 0;
+  };
+  expect_refused(scene, changed<Integers>(whole, "particles/id", padding), "particles/id");
+  expect_refused(scene, changed<Integers>(whole, "particles/id", [](Integers& v) { v.pop_back(); }),
+                 "particles/id");
+}
+
+TEST(Snapshot, GoesOnThroughMoreStagesThanItWasTakenWith) {
+  Scene scene = test::elastic_column("modern", 1.0, 0.1);
+  scene.stages = {test::stage_for("load", 0.01)};
+  Simulation first(scene, {1, {}});
+  advance(first, 100000);
+  ASSERT_TRUE(first.finished());
+  scene.stages.push_back(test::stage_for("on", 0.01));
+  Simulation whole(scene, {1, {}}), longer(scene, first.snapshot(), {1, {}});
+  EXPECT_FALSE(longer.finished());
+  advance(longer, 100000);
+  advance(whole, 100000);
+  expect_equal_states(whole, longer);
+  scene.stages[0].duration *= 2.0;
+  EXPECT_THROW(Simulation(scene, first.snapshot()), CheckpointError);
 }
 
 TEST(Snapshot, IsRefusedWithoutAnItemOrWithParticlesMixedUp) {

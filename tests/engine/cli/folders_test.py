@@ -44,6 +44,42 @@ name = "short"
 duration = 0.04
 """
 
+SLOPE = """title = "Slope"
+dimension = 2
+spacing = "1 m"
+[[material]]
+name = "clay"
+density = 2000.0
+youngs_modulus = "100 MPa"
+poisson_ratio = 0.3
+cohesion = "10 kPa"
+friction_angle = "20 deg"
+dilation_angle = "9 deg"
+[[body]]
+material = "clay"
+polygon = [[0, 0], [45, 0], [45, 5], [32, 5], [12, 15], [0, 15]]
+[[wall]]
+name = "base"
+kind = "no_slip"
+line = [[0, 0], [45, 0]]
+[[wall]]
+name = "sides"
+kind = "free_slip"
+box = {min = [0, 0], max = [45, 20], open = ["-y", "+y"]}
+[initial]
+stress = "geostatic"
+[[stage]]
+name = "settle"
+until = "rest"
+duration = "5 s"
+[[stage]]
+name = "fail"
+duration = "5 s"
+[[probe]]
+name = "crest"
+at = [12, 15]
+"""
+
 # Results of every kind by their names, one for each command and an unknown one.
 STUDY = ["converge.json", "converge.csv", "report.html", "figures/error_time.png", "dx_0.5/results.json",
          "dx_0.5/history.csv", "dx_0.5/frames/soil_00000.hdf"]
@@ -229,6 +265,79 @@ class FoldersTest(unittest.TestCase):
             self.assertEqual(self.run_block(*more).returncode, 0)
             self.assertTrue((self.out / "frames").is_symlink())
             self.assertGreater(len(list((self.folder / "disk").glob("soil_*.hdf"))), 3)
+
+    FOS = ["fos", "slope.toml", "-o", "out", "--from", "1.2", "--to", "1.6"]
+
+    def interrupt_search(self, word, *more):
+        """A search stopped at the first line that begins with a word; what it had said."""
+        said = ""
+        with subprocess.Popen([SCARP, *self.FOS, "--threads", "1", *more], cwd=self.folder, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as process:
+            for line in process.stderr:
+                said += line
+                if line.startswith(word):
+                    process.send_signal(signal.SIGINT)
+                    break
+            said += process.stderr.read()
+            self.assertEqual(process.wait(60), 130, said)
+        return said
+
+    def trials(self):
+        """Rows of fos.csv without the time each took."""
+        return [row.rsplit(",", 1)[0] for row in (self.out / "fos.csv").read_text().splitlines()]
+
+    def test_a_search_goes_on_where_it_was_stopped(self):
+        slope = self.folder / "slope.toml"
+        slope.write_text(SLOPE)
+        search = [*self.FOS, "--tolerance", "0.1"]
+        self.assertEqual(self.scarp(*search, "-q").returncode, 0)
+        whole = self.files()
+        trials = self.trials()
+        self.assertEqual(len(trials), 5)
+        said = self.interrupt_search("SRF 1.6", "--tolerance", "0.1", "--overwrite")
+        for word in ("expected at most", "to settle", "more trials", "To go on: the same command"):
+            self.assertIn(word, said)
+        before = self.files()
+        for text, more, word in ((SLOPE.replace("10 kPa", "11 kPa"), [], "material[0].parameters"),
+                                 (SLOPE.replace("at = [12, 15]", "at = [10, 15]"), [], "probe[0].at"),
+                                 (SLOPE, ["--window", "3 s"], "criterion.window")):
+            slope.write_text(text)
+            self.expect_refused(self.scarp(*search, "-q", *more), "has not reached its end", word)
+            self.assertEqual(self.files(), before)
+        slope.write_text(SLOPE)
+        done = self.scarp(*search, "--threads", "2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 trials are known from before", done.stderr)
+        self.assertEqual(self.trials(), trials)
+        now = self.files()
+        self.assertEqual(set(now), set(whole))
+        for name, data in whole.items():
+            if name.startswith("failure/frames/"):
+                self.assertEqual(now[name], data, name)
+        # with a finer tolerance the same trials and some more, without the settling
+        (self.out / "report.html").write_text("old")
+        done = self.scarp(*self.FOS, "--tolerance", "0.05")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("4 trials are known", done.stderr)
+        self.assertNotIn("expected at most", done.stderr)
+        self.assertEqual(self.trials()[:5], trials)
+        self.assertNotEqual((self.out / "report.html").read_text(), "old")
+        # a search that has ended makes way for another
+        slope.write_text(SLOPE.replace("10 kPa", "11 kPa"))
+        done = self.scarp(*self.FOS, "--tolerance", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("known", done.stderr)
+
+    def test_a_search_stopped_while_it_settles_goes_on_from_there(self):
+        (self.folder / "slope.toml").write_text(SLOPE.replace('"1 m"', '"0.25 m"'))
+        self.interrupt_search("expected at most")
+        first = [path.name for path in self.out.glob("checkpoints/*.h5")]
+        self.assertEqual(len(first), 1)
+        said = self.interrupt_search("goes on with the state")
+        self.assertNotIn("expected at most", said)
+        second = [path.name for path in self.out.glob("checkpoints/*.h5")]
+        self.assertEqual(len(second), 1)
+        self.assertGreater(second, first)
 
     def test_a_study_forgets_its_page_and_takes_what_is_complete(self):
         study = ["converge", "block.toml", "-o", "out", "--threads", "1", "--spacings", "1, 0.5, 0.25", "-q"]

@@ -2,10 +2,12 @@
 /// No byte of a checkpoint can change unnoticed, and what is no checkpoint is told from one.
 #include "engine/output/checkpoint_file.hpp"
 
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <chrono>
 #include <cstdlib>
+#include <functional>
 #include <random>
 #include <thread>
 
@@ -119,8 +121,8 @@ TEST_F(CheckpointFileTest, AnotherVersionOrFormatIsNamed) {
   const auto version = [](std::int64_t number) {
     return [number](hid_t found) { H5Awrite(found, H5T_NATIVE_INT64, &number); };
   };
-  EXPECT_EQ(refusal(changed("version", version(1))), "");
-  expect_refused(changed("version", version(2)), "version 2");
+  EXPECT_EQ(refusal(changed("version", version(2))), "");
+  expect_refused(changed("version", version(3)), "version 3");
   expect_refused(changed("format",
                          [](hid_t found) {
                            const hid_t type = H5Aget_type(found);
@@ -141,6 +143,116 @@ TEST_F(CheckpointFileTest, ForeignFilesAreRefused) {
   expect_refused(summed("not HDF5 at all"), "cannot be read");
   EXPECT_THROW(read_checkpoint(folder_ / "missing.h5"), CheckpointError);
   EXPECT_THROW(read_checkpoint(folder_), CheckpointError);
+}
+
+/// With something more in it than scarp would write.
+class TamperedCheckpointTest : public CheckpointFileTest {
+ protected:
+  std::string edited(const std::function<void(hid_t)>& edit) const {
+    std::ofstream(folder_ / "edit.h5", std::ios::binary) << image();
+    const hid_t file = H5Fopen((folder_ / "edit.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    edit(file);
+    H5Fclose(file);
+    return summed(text_of(folder_ / "edit.h5"));
+  }
+  /// With one more dataset.
+  std::string with_set(hid_t type, const std::vector<hsize_t>& extent,
+                       const std::function<void(hid_t)>& storage = {}) const {
+    return edited([&](hid_t file) {
+      const hid_t space = H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr);
+      const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+      const std::vector<hsize_t> chunk(extent.size(), 16);
+      if (storage) {
+        storage(creation);
+      } else {
+        H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
+      }
+      const hid_t set = H5Dcreate2(file, "zz", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+      EXPECT_GE(set, 0);
+      H5Dclose(set);
+      H5Pclose(creation);
+      H5Sclose(space);
+    });
+  }
+};
+
+TEST_F(TamperedCheckpointTest, NoMoreIsReadThanTheFileHasBytes) {
+  const hsize_t large = hsize_t{1} << 40, larger = hsize_t{1} << 33;
+  EXPECT_EQ(refusal(with_set(H5T_NATIVE_DOUBLE, {16})), "");
+  expect_refused(with_set(H5T_NATIVE_DOUBLE, {large}), "room for");
+  expect_refused(with_set(H5T_NATIVE_INT64, {large}), "room for");
+  expect_refused(with_set(H5T_NATIVE_UINT8, {large}), "room for");
+  expect_refused(with_set(H5T_NATIVE_DOUBLE, {larger, larger}), "room for");  // over 64 bits
+  expect_refused(with_set(H5T_NATIVE_DOUBLE, {bytes_.size() / 8}),
+                 "room for");  // beside the others
+  EXPECT_EQ(refusal(with_set(H5T_NATIVE_DOUBLE, {0})), "");
+}
+
+TEST_F(TamperedCheckpointTest, NothingIsReadFromElsewhereOrUnpacked) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::vector<hsize_t> extent{100}, chunk{16};
+  expect_refused(with_set(H5T_NATIVE_DOUBLE, extent,
+                          [&](hid_t set) { H5Pset_external(set, pipe.c_str(), 0, 800); }),
+                 "not stored as scarp");
+  expect_refused(with_set(H5T_NATIVE_DOUBLE, extent,
+                          [&](hid_t set) {
+                            H5Pset_chunk(set, 1, chunk.data());
+                            H5Pset_deflate(set, 9);
+                          }),
+                 "not stored as scarp");
+  expect_refused(with_set(H5T_NATIVE_DOUBLE, extent,
+                          [&](hid_t set) {
+                            const hid_t all = H5Screate_simple(1, extent.data(), nullptr);
+                            H5Pset_virtual(set, all, pipe.c_str(), "zz", all);
+                            H5Sclose(all);
+                          }),
+                 "not stored as scarp");
+}
+
+TEST_F(TamperedCheckpointTest, OtherTypesAreRefused) {
+  expect_refused(with_set(H5T_C_S1, {16}), "zz");
+  const hid_t pair = H5Tcreate(H5T_COMPOUND, 16);
+  H5Tinsert(pair, "a", 0, H5T_NATIVE_DOUBLE);
+  H5Tinsert(pair, "b", 8, H5T_NATIVE_DOUBLE);
+  expect_refused(with_set(pair, {16}), "zz");
+  H5Tclose(pair);
+  const auto with_attribute = [this](const char* name, hid_t type, hsize_t count) {
+    return edited([&](hid_t file) {
+      H5Adelete(file, name);
+      const hid_t space = H5Screate_simple(1, &count, nullptr);
+      const hid_t made = H5Acreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+      EXPECT_GE(made, 0);
+      H5Aclose(made);
+      H5Sclose(space);
+    });
+  };
+  const hid_t word = H5Tcopy(H5T_C_S1), any_length = H5Tcopy(H5T_C_S1);
+  H5Tset_size(word, 16);
+  H5Tset_size(any_length, H5T_VARIABLE);
+  expect_refused(with_attribute("version", H5T_NATIVE_INT64, 2), "version");
+  expect_refused(with_attribute("version", H5T_NATIVE_DOUBLE, 1), "version");
+  expect_refused(with_attribute("format", word, 3), "text");
+  expect_refused(with_attribute("format", any_length, 1), "text");
+  expect_refused(with_attribute("format", H5T_NATIVE_INT64, 1), "text");
+  H5Tclose(word);
+  H5Tclose(any_length);
+}
+
+TEST_F(TamperedCheckpointTest, WhatIsNoFileIsNotOpened) {
+  const std::filesystem::path pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink(pipe, folder_ / "link");
+  std::filesystem::create_symlink("/dev/zero", folder_ / "zeros");
+  std::filesystem::create_directory(folder_ / "folder");
+  for (const char* name : {"pipe", "link", "zeros", "folder"}) {
+    try {
+      read_checkpoint(folder_ / name);
+      ADD_FAILURE() << name;
+    } catch (const CheckpointError& error) {
+      EXPECT_NE(std::string(error.what()).find("pipe or device"), std::string::npos) << name;
+    }
+  }
 }
 
 TEST_F(CheckpointFileTest, AFailedWriteLeavesTheFileBefore) {

@@ -25,12 +25,8 @@ class Joints {
  public:
   explicit Joints(const Scene& scene)
       : scene_(scene), touching_(1e-6 * scene.spacing), widest_(scene.spacing - touching_) {
-    for (const Wall& wall : scene.walls) {
-      for (const Facet& facet : wall.facets) {
-        facets_.push_back(facet);
-        walls_.push_back(&wall);
-      }
-    }
+    for (const Wall& wall : scene.walls)
+      facets_.insert(facets_.end(), wall.facets.begin(), wall.facets.end());
     index_ = FacetIndex(facets_, scene.spacing);
   }
 
@@ -81,7 +77,7 @@ class Joints {
           plus(plus(other.origin, std::clamp(at.u, 0.0, other.length_u), other.tangent_u),
                std::clamp(at.v, 0.0, other.length_v), other.tangent_v);
       const double abreast = dot(minus(foot, point), outward);
-      if (distance > widest_ || abreast < ahead * distance || parts(facet, k, outward)) continue;
+      if (distance > widest_ || abreast < ahead * distance) continue;
       // Straight on to its plane, unless that meets it beyond its end.
       const double slope = dot(other.normal, outward);
       const double straight = std::abs(slope) > 0.1 ? at.depth / slope : 0.0;
@@ -94,15 +90,9 @@ class Joints {
     return nearest;
   }
 
-  /// Whether the gap opens or closes with time.
-  bool parts(std::size_t facet, std::size_t other, const Vec3& outward) const {
-    return dot(minus(walls_[other]->velocity, walls_[facet]->velocity), outward) != 0.0;
-  }
-
   const Scene& scene_;
   double touching_, widest_;
   std::vector<Facet> facets_;
-  std::vector<const Wall*> walls_;
   FacetIndex index_;
   std::vector<std::uint32_t> near_;  ///< scratch
 };

@@ -30,6 +30,9 @@ struct Meeting {
   WallKind plate_kind = WallKind::no_slip;
   double plate_beyond = 0.0;  ///< the plate overshoots the sides; negative: a gap
   double sides_above = 10.0;  ///< how far the sides go on above the soil
+  double plate_start = 0.0;   ///< above the soil, from where it comes down
+  double plate_slide = 0.0;   ///< along its face, in a run
+  double left_moves = 0.0;    ///< of the left side, outwards, in a run without a rest
 };
 
 inline std::string kind_name(WallKind kind) {
@@ -54,7 +57,10 @@ inline std::string describe(const Meeting& m) {
     text += " plate " + kind_name(m.plate_kind);
     number("plate_beyond", m.plate_beyond, 0.0);
     number("sides_above", m.sides_above, 10.0);
+    number("plate_start", m.plate_start, 0.0);
+    number("plate_slide", m.plate_slide, 0.0);
   }
+  number("left_moves", m.left_moves, 0.0);
   if (m.one_wall) text += " one_wall";
   if (m.swapped) text += " swapped";
   return text;
@@ -92,13 +98,15 @@ inline Scene basin(const Meeting& m) {
   walls.push_back(
       wall_of("left", m.left, {facet_2d(left_at(top), top, left_at(left_low), left_low)}));
   walls.push_back(wall_of("right", m.right, {facet_2d(shift + width, low, shift + width, top)}));
+  const double press = 0.1 * h + m.plate_start * dx;
   if (m.plate) {
+    const double at = h + m.plate_start * dx, out = m.plate_beyond * dx;
     Wall plate =
-        wall_of("plate", m.plate_kind,
-                {facet_2d(shift + width + m.plate_beyond * dx, h, shift - m.plate_beyond * dx, h)});
-    plate.velocity = {0.0, -0.1, 0.0};
+        wall_of("plate", m.plate_kind, {facet_2d(shift + width + out, at, shift - out, at)});
+    plate.velocity = {0.1 * m.plate_slide * dx / press, -0.1, 0.0};
     walls.push_back(plate);
   }
+  if (m.left_moves != 0.0) walls[walls.size() - 2].velocity = {-0.5 * m.left_moves * dx, 0, 0};
   if (m.one_wall) {
     std::vector<Wall> together;
     for (Wall& wall : walls) {
@@ -118,13 +126,14 @@ inline Scene basin(const Meeting& m) {
   scene.walls = walls;
   if (m.plate) {
     scene.gravity = {};
-    scene.stages = {stage_for("press", 0.1 * h / 0.1)};
+    scene.stages = {stage_for("press", press / 0.1)};
   } else {
     scene.initial_stress = InitialStress::geostatic;
     Stage settle = stage_for("settle", 4.0);
     settle.until = StageEnd::rest;
     settle.damping = 60.0;
     scene.stages = {settle};
+    if (m.left_moves != 0.0) scene.stages = {stage_for("move", 2.0)};
   }
   return scene;
 }
@@ -151,13 +160,14 @@ inline Outcome run_basin(const Meeting& m) {
   outcome.rested = simulation.stage_reached_rest();
   const std::vector<double> position = simulation.field("position"),
                             displacement = simulation.field("displacement");
+  const double moved = std::max(0.0, m.left_moves) * dx;
   const double shift = -m.offset * dx, right = basin_width + m.offset * dx;
   const double lean = 1.0 / std::tan(m.angle * std::numbers::pi / 180.0);
   const double sine = std::sin(m.angle * std::numbers::pi / 180.0);
   const double plate = m.plate ? 0.9 * basin_height : 1e9;
   for (std::size_t k = 0; k < simulation.soil_count(); ++k) {
     const double x = position[3 * k], y = position[3 * k + 1];
-    const double behind_left = (shift + lean * (y - shift) - x) * sine;
+    const double behind_left = (shift + lean * (y - shift) - x) * sine - moved;
     const double deepest = std::max({shift - y, x - right, behind_left, y - plate});
     outcome.lost += !(deepest <= 0.5 * dx);
     outcome.displacement = std::max(outcome.displacement,
@@ -166,17 +176,14 @@ inline Outcome run_basin(const Meeting& m) {
   return outcome;
 }
 
-/// The same kinds, angle, soil and plate, with walls that meet exactly.
-inline Meeting exact(const Meeting& m) {
-  Meeting plain;
-  plain.base = m.base;
-  plain.left = m.left;
-  plain.right = m.right;
-  plain.angle = m.angle;
-  plain.sand = m.sand;
-  plain.plate = m.plate;
-  plain.plate_kind = m.plate_kind;
-  return plain;
+/// The same scene with walls that meet exactly, drawn on the lattice.
+inline Meeting exact(Meeting m) {
+  const Meeting plain;
+  m.base_beyond = m.side_beyond = m.plate_beyond = m.offset = 0.0;
+  m.split_overlap = plain.split_overlap;
+  m.second = plain.second;
+  m.one_wall = m.swapped = false;
+  return m;
 }
 
 /// Every two and three walls of any two kinds, in every way in which they meet: exactly, as a T or
@@ -214,6 +221,11 @@ inline std::vector<Meeting> all_meetings() {
         }
       }
     }
+    for (const double angle : {45.0, 75.0, 105.0, 135.0, 150.0}) {
+      for (const double beyond : {0.0, 3.0}) {
+        add([&](Meeting& c) { c.angle = angle, c.side_beyond = beyond; });
+      }
+    }
     for (const double offset : {0.1, 0.25, 0.5}) {
       for (const double beyond : {0.0, 3.0}) {
         add([&](Meeting& c) { c.offset = offset, c.side_beyond = beyond; });
@@ -230,7 +242,25 @@ inline std::vector<Meeting> all_meetings() {
       add([&](Meeting& c) { c.side_beyond = beyond, c.one_wall = true; });
       add([&](Meeting& c) { c.base_beyond = beyond, c.swapped = true; });
     }
+    for (const double moves : {-0.4, 0.4}) {
+      for (const double beyond : {0.0, 3.0}) {
+        add([&](Meeting& c) { c.left_moves = moves, c.base_beyond = c.side_beyond = beyond; });
+      }
+    }
     for (const WallKind plate : kinds) {
+      for (const double beyond : {-0.5, 0.0, 0.5, 3.0}) {
+        for (const double above : {0.0, 1.0, 2.0}) {
+          add([&](Meeting& c) {
+            c.plate = true, c.plate_kind = plate, c.plate_beyond = beyond;
+            c.plate_start = 3.0, c.sides_above = above;
+          });
+        }
+        for (const double slide : {-0.24, 0.24}) {
+          add([&](Meeting& c) {
+            c.plate = true, c.plate_kind = plate, c.plate_beyond = beyond, c.plate_slide = slide;
+          });
+        }
+      }
       for (const double beyond : {-0.9, -0.5, -0.1, 0.0, 0.1, 0.5, 1.0, 2.0, 3.0}) {
         for (const double above : {0.0, 0.5, 10.0}) {
           add([&](Meeting& c) {

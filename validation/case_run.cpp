@@ -66,6 +66,12 @@ CaseRun::CaseRun(std::string case_name, CaseOptions options) : options_(std::mov
     throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
                                 folder_.string(), error.message()));
   }
+  if (std::filesystem::exists(folder_ / "run.json", error)) {
+    throw FileError(
+        fmt::format("'{}': holds a run of 'scarp run', which the case would replace. Try "
+                    "another folder with -o, or remove this one.",
+                    folder_.string()));
+  }
   result_.case_name = std::move(case_name);
   result_.form = form_name(options_.form);
   result_.options = options_key(options_);

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
@@ -194,6 +195,9 @@ TEST(StudyRunTest, AnInterruptedRunEndsWithTheSameOutcome) {
                             outcome.values[now.finished() ? "end [m/s]" : "settled [m/s]"] =
                                 now.last_step().max_velocity;
                           }};
+  std::filesystem::create_directories(options.out / "taken");
+  std::ofstream(options.out / "taken" / "run.json") << "{}";
+  EXPECT_THROW(CaseRun("taken", options), FileError);  // what `scarp run` has left
   CaseRun whole("whole", options);
   const Outcome expected = outcome_of(whole, {"block", "block", block()}, observer);
   EXPECT_TRUE(expected.complete);

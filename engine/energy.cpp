@@ -114,8 +114,11 @@ void sample_energy(State& state) {
                   [](const Vec3& v) { return v != Vec3{}; })) {
     const std::vector<WallReaction> reactions = wall_reactions(state);
     for (std::size_t w = 0; w < reactions.size(); ++w) {
-      for (std::size_t a = 0; a < 3; ++a)
-        now.wall += reactions[w].force[a] * state.wall_velocity[w][a];
+      for (std::size_t a = 0; a < 3; ++a) {
+        const double held = state.hold_force[w][a];
+        now.wall += (reactions[w].force[a] - held) * state.wall_velocity[w][a];
+        now.hold += held * state.wall_velocity[w][a];
+      }
     }
   }
   const auto add = [&](double ForcePowers::*part) {
@@ -123,7 +126,7 @@ void sample_energy(State& state) {
   };
   for (const auto part :
        {&ForcePowers::stress, &ForcePowers::viscous, &ForcePowers::artificial_stress,
-        &ForcePowers::damping, &ForcePowers::wall}) {
+        &ForcePowers::damping, &ForcePowers::wall, &ForcePowers::hold}) {
     add(part);
   }
   ledger.last_powers = now;
@@ -141,10 +144,10 @@ EnergyBalance energy_balance(const State& state) {
   e.viscous = ledger.work.viscous;
   e.damping = ledger.work.damping;
   e.artificial_stress = ledger.work.artificial_stress;
-  e.wall = ledger.work.wall;
+  e.wall = ledger.work.wall + ledger.work.hold;
   if (state.scene.output.energy) {
     e.gradient_residue =
-        -ledger.work.stress - (now.stress_work - ledger.stress_work_start) - e.wall;
+        -ledger.work.stress - (now.stress_work - ledger.stress_work_start) - ledger.work.wall;
     e.imbalance =
         -(e.kinetic - ledger.start.kinetic + e.potential + e.elastic + e.plastic + e.viscous +
           e.damping + e.wall + e.artificial_stress + e.gradient_residue + e.diffusion);

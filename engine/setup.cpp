@@ -258,6 +258,7 @@ State make_state(Scene scene, const RunOptions& options) {
   state.wall_offset.assign(state.scene.walls.size(), Vec3{});
   state.wall_stands.assign(state.scene.walls.size(), true);
   state.wall_velocity.assign(state.scene.walls.size(), Vec3{});
+  state.hold_force.assign(state.scene.walls.size(), Vec3{});
   fill_particles(state, soil);
   place_walls(state);
   for (const Probe& probe : state.scene.probes) {

@@ -204,12 +204,12 @@ std::vector<double> Simulation::field(std::string_view name) const {
   }
   if (name == "material") {
     return gather(1, [&](std::size_t, std::int64_t slot, int) {
-      const auto& groups = p.groups();
-      const auto group = std::find_if(groups.begin(), groups.end(), [slot](const ParticleGroup& g) {
-        return slot < g.padded_end();
-      });
-      return static_cast<double>(group->material);
+      return static_cast<double>(p.group_of(slot).material);
     });
+  }
+  if (name == "lost") {
+    return gather(
+        1, [&](std::size_t, std::int64_t slot, int) { return state.is_lost(slot) ? 1.0 : 0.0; });
   }
   for (const FieldRow& field : field_list) {
     const bool readable = field.output || field.field == Field::position;
@@ -218,7 +218,7 @@ std::vector<double> Simulation::field(std::string_view name) const {
       return read(field.field, slot, c);
     });
   }
-  std::string known = "position, id, material";
+  std::string known = "position, id, material, lost";
   for (const FieldInfo& info : fields()) known += ", " + info.name;
   throw Error(fmt::format("no field '{}' in this run; there are {}", name, known));
 }
@@ -238,6 +238,7 @@ void Simulation::require_sound() const {
     throw SimulationInstability(*found);
 }
 
+const LostSoil& Simulation::lost_soil() const { return impl_->state.lost; }
 EnergyBalance Simulation::energy() const { return energy_balance(impl_->state); }
 std::vector<WallReaction> Simulation::wall_reactions() const {
   return scarp::wall_reactions(impl_->state);

@@ -50,7 +50,7 @@ struct StepReport {
   double stage_time = 0.0;  ///< since the start of the stage [s]
   double time_step = 0.0;   ///< [s]
   StepLimit limit = StepLimit::acoustic;
-  double max_velocity = 0.0;        ///< of the soil [m/s]
+  double max_velocity = 0.0;        ///< of the soil that is not lost [m/s]
   std::size_t signal_material = 0;  ///< index of the material in which signals are fastest
 };
 
@@ -70,7 +70,22 @@ struct EnergyBalance {
   double imbalance = 0.0;  ///< what the lines above leave open
 };
 
-/// Sum of the forces the soil exerts on a wall [N, per metre in 2D].
+/// Soil that has left everything that could hold it (THEORY.md section 10).
+struct LostSoil {
+  std::uint64_t particles = 0;
+  double mass = 0.0;        ///< [kg, per metre in 2D]
+  std::int64_t first = -1;  ///< id of the first one; the rest is about it, when it was found
+  std::uint64_t step = 0;
+  double time = 0.0;  ///< [s]
+  std::string stage;
+  Vec3 position{};
+
+  /// "2 of 200 particles were lost ...", in one sentence.
+  std::string message(std::size_t all) const;
+};
+
+/// Sum of the forces the soil exerts on a wall [N, per metre in 2D]: those of all pairs where the
+/// particles stand now, and the mean over the last step of what no-slip faces held off (B4).
 struct WallReaction {
   std::string wall;
   Vec3 force{};
@@ -152,12 +167,14 @@ class Simulation {
   std::size_t wall_count() const;  ///< dummy particles of the walls
   std::vector<FieldInfo> fields() const;
   /// Values of the soil particles in order of their permanent id, `components` per particle, SI.
-  /// Also "position", "id" and "material". Throws Error for an unknown name.
+  /// Also "position", "id", "material" and "lost" (1 or 0). Throws Error for an unknown name.
   std::vector<double> field(std::string_view name) const;
   std::vector<double> wall_positions() const;  ///< 3 per dummy particle
 
   /// Looks at the present state as `step()` does every 50 steps. Errors: SimulationInstability.
   void require_sound() const;
+  /// Soil lost so far; looked for every 50 steps and when a stage ends.
+  const LostSoil& lost_soil() const;
   EnergyBalance energy() const;
   std::vector<WallReaction> wall_reactions() const;
   ProbeSample probe(std::size_t index) const;

@@ -6,19 +6,24 @@
 #include <utility>
 #include <vector>
 
+#include "engine/parallel.hpp"
 #include "engine/state.hpp"
+#include "engine/watch/lost_soil.hpp"
+#include "engine/watch/watch.hpp"
 
 namespace scarp {
 namespace {
 
 /// Height of each particle's centre along gravity and its material; without gravity along the last
-/// axis.
+/// axis. Lost soil counts only where all is lost.
 std::vector<std::pair<double, std::size_t>> levels(const State& state) {
   const Vec3& g = state.scene.gravity;
   const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+  const bool all_lost = state.lost.particles == static_cast<std::uint64_t>(state.particles.count());
   std::vector<std::pair<double, std::size_t>> found;
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::int64_t k = group.first; k < group.end(); ++k) {
+      if (!all_lost && state.is_lost(k)) continue;
       double up = 0.0;
       for (int a = 0; a < state.scene.dimension; ++a) {
         const double share =
@@ -76,18 +81,7 @@ void reset(State& state) {
 
 /// Of particles and walls [m/s].
 double fastest(const State& state) {
-  double square = 0.0;
-  for (const ParticleGroup& group : state.particles.groups()) {
-    for (std::int64_t k = group.first; k < group.end(); ++k) {
-      double own = 0.0;
-      for (int a = 0; a < state.scene.dimension; ++a) {
-        const double v = state.particles.component(Field::velocity, a)[k];
-        own += v * v;
-      }
-      square = std::max(square, own);
-    }
-  }
-  double speed = std::sqrt(square);
+  double speed = fastest_soil(state);
   for (const Vec3& v : state.wall_velocity) speed = std::max(speed, std::hypot(v[0], v[1], v[2]));
   return speed;
 }
@@ -118,6 +112,30 @@ double soil_height(const State& state) {
   const auto all = levels(state);
   const auto [low, high] = std::minmax_element(all.begin(), all.end());
   return high->first - low->first + state.scene.spacing;
+}
+
+double fastest_soil(const State& state) {
+  double square = 0.0;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    const double part = parallel_reduce(
+        state.threads, group.count, particle_chunk, 0.0,
+        [&](std::int64_t begin, std::int64_t end) {
+          double most = 0.0;
+          for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+            if (state.is_lost(k)) continue;
+            double own = 0.0;
+            for (int a = 0; a < state.scene.dimension; ++a) {
+              const double v = state.particles.component(Field::velocity, a)[k];
+              own += v * v;
+            }
+            most = std::max(most, own);
+          }
+          return most;
+        },
+        [](double& total, double more) { total = std::max(total, more); });
+    square = std::max(square, part);
+  }
+  return std::sqrt(square);
 }
 
 void enter_stage(State& state, std::size_t index) {
@@ -179,6 +197,7 @@ void end_step(State& state) {
       state.stage.ended = state.stage.reached_rest = true;
     }
   }
+  if (state.stage.ended || state.report.step % steps_per_look == 0) count_lost_soil(state);
 }
 
 }  // namespace scarp

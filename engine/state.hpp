@@ -41,7 +41,8 @@ struct ChosenKernels {
 
 /// Powers of the forces on the soil [W], or their time integrals [J]; see EnergyBalance.
 struct ForcePowers {
-  double stress = 0.0, viscous = 0.0, artificial_stress = 0.0, damping = 0.0, wall = 0.0;
+  double stress = 0.0, viscous = 0.0, artificial_stress = 0.0, damping = 0.0;
+  double wall = 0.0, hold = 0.0;  ///< on moving walls: by pairs, and by the faces (B4)
 };
 
 /// Energies of the present stage: integrals of powers that are sampled every few steps.
@@ -75,6 +76,7 @@ struct StepClock {
   int since_restart = 0;            ///< Verlet: steps since the last forward step
   bool restart = true;              ///< levels n-1 are not valid
   double step_factor = 1.0;         ///< on what the limits allow
+  double kick = 0.0;                ///< time over which the last kick took the velocities
 };
 
 struct State {
@@ -97,6 +99,7 @@ struct State {
   std::vector<Vec3> built_wall_offset;   ///< when the lists were built
   std::vector<bool> wall_stands;
   std::vector<Vec3> wall_velocity;  ///< now [m/s]
+  std::vector<Vec3> hold_force;     ///< of the soil that faces held off in the last step (B4) [N]
   double walls_moved = 0.0;         ///< farthest since the lists were built [m]
   Walls walls;
   MirrorImages images;
@@ -116,6 +119,13 @@ struct State {
   std::uint64_t density_bounds = 0;
   StepLimitCounts limit_counts{};
   std::uint64_t holds = 0;  ///< times a grain was held off a face
+  LostSoil lost;
+  std::vector<bool> lost_ids;  ///< by id; empty: none is lost
+
+  bool is_lost(std::int64_t slot) const {
+    return !lost_ids.empty() &&
+           lost_ids[static_cast<std::size_t>(particles.ids()[static_cast<std::size_t>(slot)])];
+  }
 };
 
 // Phases, in the order they appear in a step.
@@ -141,7 +151,8 @@ void sample_energy(State& state);  ///< engine/energy.cpp
 // Stages (engine/stages.cpp).
 void enter_stage(State& state, std::size_t index);
 void end_step(State& state);
-double soil_height(const State& state);  ///< extent along gravity [m]
+double soil_height(const State& state);   ///< extent along gravity of what is not lost [m]
+double fastest_soil(const State& state);  ///< ... and its largest speed [m/s]
 
 // Set-up (engine/setup.cpp).
 State make_state(Scene scene, const RunOptions& options);

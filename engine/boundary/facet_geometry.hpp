@@ -18,6 +18,10 @@ inline Vec3 plus(const Vec3& a, double s, const Vec3& b) {
   return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]};
 }
 
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// A point in the axes of a facet.
 struct FacetCoordinates {
   double u = 0.0;      ///< along tangent_u from the origin [m]
@@ -34,6 +38,14 @@ struct FacetCoordinates {
                       v - std::clamp(v, 0.0, facet.length_v), depth);
   }
 };
+
+/// The corners of a facet; in 2D its two ends.
+inline std::vector<Vec3> corners(const Facet& facet, int dimension) {
+  const Vec3 u = plus(facet.origin, facet.length_u, facet.tangent_u);
+  if (dimension == 2) return {facet.origin, u};
+  return {facet.origin, u, plus(u, facet.length_v, facet.tangent_v),
+          plus(facet.origin, facet.length_v, facet.tangent_v)};
+}
 
 inline FacetCoordinates coordinates(const Facet& facet, int dimension, const Vec3& point) {
   const Vec3 offset = minus(point, facet.origin);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Keeps grains from passing a face.
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/parallel.hpp"
@@ -19,6 +21,32 @@ constexpr double nearest = 0.25, deepest = -0.5;
 /// Where faces meet at an acute angle, what one takes away may point towards the other.
 constexpr int most_passes = 8;
 
+/// What the faces did in one pass.
+struct Holds {
+  std::uint64_t count = 0;
+  std::vector<Vec3> impulse;  ///< of the soil on each wall [N s]; empty: no grain was held
+
+  void add(std::size_t wall, std::size_t walls, const Vec3& more) {
+    if (impulse.empty()) impulse.resize(walls);
+    impulse[wall] = plus(impulse[wall], 1.0, more);
+  }
+};
+
+void merge(Holds& total, const Holds& part) {
+  total.count += part.count;
+  for (std::size_t w = 0; w < part.impulse.size(); ++w)
+    total.add(w, part.impulse.size(), part.impulse[w]);
+}
+
+/// Mean force of a step over the impulse of one pass. Both halves of kick-drift-kick have a pass;
+/// Verlet takes the velocity over two steps and so holds off what two steps bring. Of a kick from
+/// rest the damping has taken its share.
+double force_over_impulse(const State& state) {
+  const double kick = state.clock.kick;
+  const bool halves = state.scene.numerics.integrator == Integrator::kick_drift_kick;
+  return (halves ? 0.5 : 1.0) * (1.0 + 0.5 * state.stage.damping * kick) / kick;
+}
+
 }  // namespace
 
 double hold_off_distance(double spacing) { return nearest * spacing; }
@@ -27,6 +55,7 @@ double hold_off_distance(double spacing) { return nearest * spacing; }
 /// single grains of a thin front sink: their stress goes to zero with every bounce at the apex.
 void hold_off_faces(State& state) {
   if (state.walls.count() == 0 && state.images.count() == 0) return;
+  const std::size_t walls = state.scene.walls.size();
   const kernels::NeighbourView lists = state.lists.view();
   const std::int64_t size = state.kernels.cluster_size;
   const int dimension = state.scene.dimension;
@@ -37,17 +66,17 @@ void hold_off_faces(State& state) {
     position[static_cast<std::size_t>(a)] = state.particles.component(Field::position, a);
     velocity[static_cast<std::size_t>(a)] = state.particles.component(Field::velocity, a);
   }
-  const auto hold = [&](std::int64_t k) {
+  const auto hold = [&](std::int64_t k, double mass, Holds& holds) {
     Vec3 x{}, v{};
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
       x[a] = position[a][k];
       v[a] = velocity[a][k];
     }
-    std::uint64_t held = 0;
+    bool held = false;
     int faces = 2;
     for (int pass = 0; pass < most_passes && faces > 1; ++pass) {
       faces = 0;
-      for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+      for (std::size_t w = 0; w < walls; ++w) {
         if (!state.wall_stands[w]) continue;
         const Vec3 from_wall = minus(x, state.wall_offset[w]);
         for (const Facet& facet : state.scene.walls[w].facets) {
@@ -56,27 +85,33 @@ void hold_off_faces(State& state) {
           const double approach = -dot(minus(v, state.wall_velocity[w]), facet.normal);
           if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
           v = plus(v, approach, facet.normal);
-          held = 1;
+          held = true;
+          holds.add(w, walls, plus({}, -mass * approach, facet.normal));
           ++faces;
         }
       }
     }
-    for (std::size_t a = 0; held != 0 && a < static_cast<std::size_t>(dimension); ++a)
+    for (std::size_t a = 0; held && a < static_cast<std::size_t>(dimension); ++a)
       velocity[a][k] = v[a];
-    return held;
+    holds.count += held ? 1 : 0;
   };
   const auto run = [&](std::int64_t begin, std::int64_t end) {
-    std::uint64_t held = 0;
+    Holds holds;
     for (std::int64_t cluster = begin; cluster < end; ++cluster) {
       const bool has_dummies = lists.wall_begin[cluster] != lists.soil_begin[cluster + 1];
       if (!has_dummies && !state.images.is_close(cluster * size, size)) continue;
-      for (std::int64_t k = cluster * size; k < (cluster + 1) * size; ++k) held += hold(k);
+      const ParticleGroup& group = state.particles.group_of(cluster * size);
+      const double mass = state.scaling.mass[group.material];
+      const std::int64_t last = std::min((cluster + 1) * size, group.end());
+      for (std::int64_t k = cluster * size; k < last; ++k) hold(k, mass, holds);
     }
-    return held;
+    return holds;
   };
-  state.holds += parallel_reduce(state.threads, state.lists.clusters(), particle_chunk / size,
-                                 std::uint64_t{0}, run,
-                                 [](std::uint64_t& total, std::uint64_t part) { total += part; });
+  const Holds all = parallel_reduce(state.threads, state.lists.clusters(), particle_chunk / size,
+                                    Holds{}, run, merge);
+  state.holds += all.count;
+  for (std::size_t w = 0; w < all.impulse.size(); ++w)
+    state.hold_force[w] = plus(state.hold_force[w], force_over_impulse(state), all.impulse[w]);
 }
 
 }  // namespace scarp

@@ -24,7 +24,8 @@ Vec3 total_force(State& state, const kernels::PairSweepView<double>& view) {
 }  // namespace
 
 /// A force sweep with the wall's dummies and images against one with their volumes set to zero: the
-/// difference is what the wall gives to the soil, the reaction minus that.
+/// difference is what the wall gives to the soil, the reaction minus that. What a face held off in
+/// the last step comes on top.
 std::vector<WallReaction> wall_reactions(State& state) {
   std::vector<WallReaction> reactions;
   for (const Wall& wall : state.scene.walls) reactions.push_back({wall.name, {}});
@@ -41,6 +42,7 @@ std::vector<WallReaction> wall_reactions(State& state) {
   const Vec3 with_all = total_force(state, view);
   for (std::size_t w = 0; w < reactions.size(); ++w) {
     if (!state.wall_stands[w]) continue;
+    reactions[w].force = state.hold_force[w];
     std::vector<std::pair<double*, double>> silenced;
     const auto silence = [&](std::int64_t record) {
       double& volume = state.records.record(record)[kernels::record_volume];
@@ -55,7 +57,7 @@ std::vector<WallReaction> wall_reactions(State& state) {
     }
     if (silenced.empty()) continue;
     const Vec3 without = total_force(state, view);
-    for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] = without[a] - with_all[a];
+    for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] += without[a] - with_all[a];
     for (const auto& [volume, value] : silenced) *volume = value;
   }
   return reactions;

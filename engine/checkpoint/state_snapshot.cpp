@@ -117,18 +117,19 @@ void exchange(Archive& a, AnyState& state) {
     a.integer(fmt::format("counts/steps_by_{}", step_limit_names[k]).c_str(),
               state.limit_counts[k]);
   auto& ledger = state.ledger;
-  const auto powers = [&a](const char* const(&names)[5], const char* unit, auto& p) {
+  const auto powers = [&a](const char* const(&names)[6], const char* unit, auto& p) {
     a.number(names[0], unit, p.stress);
     a.number(names[1], unit, p.viscous);
     a.number(names[2], unit, p.artificial_stress);
     a.number(names[3], unit, p.damping);
     a.number(names[4], unit, p.wall);
+    a.number(names[5], unit, p.hold);
   };
   powers({"energy/work_stress", "energy/work_viscous", "energy/work_artificial_stress",
-          "energy/work_damping", "energy/work_wall"},
+          "energy/work_damping", "energy/work_wall", "energy/work_hold"},
          "J", ledger.work);
   powers({"energy/power_stress", "energy/power_viscous", "energy/power_artificial_stress",
-          "energy/power_damping", "energy/power_wall"},
+          "energy/power_damping", "energy/power_wall", "energy/power_hold"},
          "W", ledger.last_powers);
   a.number("energy/last_time", "s", ledger.last_time);
   a.integer("energy/last_step", ledger.last_step);
@@ -225,6 +226,43 @@ void put_walls(const Snapshot& from, State& state) {
   put_vectors(from, "walls/placed_offset", state.wall_offset);
   place_walls(state);
   put_vectors(from, "walls/velocity", state.wall_velocity);
+  put_vectors(from, "walls/hold_force", state.hold_force);
+}
+
+void take_lost(Snapshot& out, const State& state) {
+  std::vector<std::int64_t> ids;
+  for (std::size_t id = 0; id < state.lost_ids.size(); ++id) {
+    if (state.lost_ids[id]) ids.push_back(static_cast<std::int64_t>(id));
+  }
+  const LostSoil& lost = state.lost;
+  out.add("lost/ids", std::move(ids));
+  out.add("lost/first_and_step",
+          std::vector<std::int64_t>{lost.first, static_cast<std::int64_t>(lost.step)});
+  out.add("lost/mass", "kg", {lost.mass});
+  out.add("lost/time", "s", {lost.time});
+  take_vectors(out, "lost/position", "m", {lost.position});
+  out.add("lost/stage", lost.stage);
+}
+
+void put_lost(const Snapshot& from, State& state) {
+  const std::vector<std::int64_t>& ids = from.integers("lost/ids");
+  const std::int64_t all = state.particles.count();
+  state.lost_ids.assign(ids.empty() ? 0 : static_cast<std::size_t>(all), false);
+  for (const std::int64_t id : ids) {
+    if (id < 0 || id >= all || state.lost_ids[static_cast<std::size_t>(id)])
+      throw CheckpointError(fmt::format("'lost/ids' holds {}, which it cannot.", id));
+    state.lost_ids[static_cast<std::size_t>(id)] = true;
+  }
+  LostSoil& lost = state.lost;
+  lost.particles = ids.size();
+  const std::vector<std::int64_t>& first = from.integers("lost/first_and_step", 2);
+  lost.first = first[0];
+  lost.step = static_cast<std::uint64_t>(first[1]);
+  lost.mass = from.numbers("lost/mass", 1).front();
+  lost.time = from.numbers("lost/time", 1).front();
+  const std::vector<double>& position = from.numbers("lost/position", 3);
+  std::copy(position.begin(), position.end(), lost.position.begin());
+  lost.stage = from.text("lost/stage");
 }
 
 /// Lists depend on nothing but what stood where when they were built.
@@ -246,6 +284,7 @@ Snapshot take_snapshot(const State& state) {
   std::vector<std::int64_t> stands(state.wall_stands.begin(), state.wall_stands.end());
   out.add("walls/stands", std::move(stands));
   take_vectors(out, "walls/velocity", "m/s", state.wall_velocity);
+  take_vectors(out, "walls/hold_force", "N", state.hold_force);
   take_vectors(out, "walls/offset", "m", state.wall_offset);
   take_vectors(out, "walls/placed_offset", "m", state.placed_wall_offset);
   take_vectors(out, "walls/built_offset", "m", state.built_wall_offset);
@@ -253,6 +292,7 @@ Snapshot take_snapshot(const State& state) {
     take_dummies(out, "walls/position", state.walls, false);
     take_dummies(out, "walls/built_position", state.walls, true);
   }
+  take_lost(out, state);
   take_fields(out, state);
   return out;
 }
@@ -270,6 +310,7 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   }
   put_walls(snapshot, state);
   put_ids(snapshot, state);
+  put_lost(snapshot, state);
   Putter putter(snapshot);
   exchange(putter, state);
   const bool lists_valid = state.lists_valid;

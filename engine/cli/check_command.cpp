@@ -13,10 +13,10 @@
 #include "engine/cli/forecast.hpp"
 #include "engine/cli/probe_check.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/start_warnings.hpp"
 #include "engine/cli/trial.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/dilation_note.hpp"
-#include "engine/initial_stress_check.hpp"
 #include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
@@ -62,8 +62,7 @@ Json summary(const Simulation& simulation) {
             {"notes", Json::array()}};
   const std::optional<std::string> dilation = dilation_note(scene);
   if (dilation && looks_reducible(scene)) json["notes"].push_back(*dilation);
-  for (const std::string& warning : initial_stress_warnings(simulation))
-    json["warnings"].push_back(warning);
+  for (const std::string& warning : start_warnings(simulation)) json["warnings"].push_back(warning);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     json["materials"].push_back({{"name", scene.materials[m].name},
                                  {"model", scene.materials[m].model},

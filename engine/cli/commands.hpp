@@ -13,7 +13,8 @@
 
 namespace scarp::cli {
 
-enum ExitCode { ok = 0, failed = 1, usage = 2, unstable = 3, interrupted = 130 };
+/// `lost_soil`: the run reached its end, but soil fell out of it.
+enum ExitCode { ok = 0, failed = 1, usage = 2, unstable = 3, lost_soil = 4, interrupted = 130 };
 
 /// An option's value that cannot be used; the message begins with the option.
 class UsageError : public std::runtime_error {

@@ -148,6 +148,7 @@ int converge_command(const ConvergeArguments& arguments) {
   std::array<SpacingRun, 3> runs;
   std::string isa;
   int threads = 0;
+  ExitCode code = ok;
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     SceneArguments scene = arguments.scene;
     scene.spacing = fmt::format("{} m", spacings[k]);
@@ -161,6 +162,11 @@ int converge_command(const ConvergeArguments& arguments) {
       }
       run_to_end(simulation, place, quantities, arguments.quiet);
       if (stop_requested()) return interrupted;
+      const LostSoil& lost = simulation.lost_soil();
+      if (lost.particles > 0) {
+        fmt::print(stderr, "warning: {}\n", lost.message(simulation.soil_count()));
+        code = lost_soil;
+      }
       done = run_of(Json::parse(read_text(place / "results.json")), quantities);
     }
     isa = simulation.isa();
@@ -187,7 +193,7 @@ int converge_command(const ConvergeArguments& arguments) {
   } catch (const FileError& error) {
     fmt::print(stderr, "no report: {}\n", error.what());
   }
-  return ok;
+  return code;
 }
 
 }  // namespace scarp::cli

@@ -32,8 +32,13 @@ int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
     progress.end();
     fmt::print(stderr, "warning: {}\n", words);
   };
+  bool lost = simulation.lost_soil().particles > 0;
   const auto after_step = [&](const Simulation& now) {
     progress.update(now);
+    if (!lost && now.lost_soil().particles > 0) {
+      lost = true;
+      say(now.lost_soil().message(now.soil_count()) + " The run goes on.");
+    }
     recovery.after_step(now, writer);
     if (!stop_requested() || now.finished()) {
       say(checkpoints.after_step(now));
@@ -82,7 +87,12 @@ int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
                simulation.last_step().time, readable_duration(wall_seconds),
                writer.folder().string());
   }
-  if (simulation.finished()) return ok;
+  if (simulation.finished()) {
+    const LostSoil& at_end = simulation.lost_soil();
+    if (at_end.particles == 0) return ok;
+    say(at_end.message(simulation.soil_count()));
+    return ExitCode::lost_soil;
+  }
   say_how_to_go_on(writer);
   return interrupted;
 }

@@ -17,9 +17,9 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/run_record.hpp"
+#include "engine/cli/start_warnings.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/failure_run.hpp"
-#include "engine/initial_stress_check.hpp"
 #include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/text_file.hpp"
@@ -189,7 +189,7 @@ std::optional<StrengthReduction> settle(const Scene& scene, const FosArguments& 
 /// What is begun, from the scene as it starts.
 void announce(const Simulation& start, const FosArguments& arguments, const fs::path& folder) {
   const Scene& scene = start.scene();
-  for (const std::string& warning : initial_stress_warnings(start))
+  for (const std::string& warning : start_warnings(start))
     fmt::print(stderr, "warning: {}\n", warning);
   if (arguments.quiet) return;
   fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
@@ -266,7 +266,7 @@ int fos_command(const FosArguments& arguments) {
     progress.end();
     if (stop_requested()) report.failure = "stopped on request";
     const std::optional<double> fails = report.found.bracket.fails;
-    const bool shown = fails && record.failure_run == fails && run_is_complete(folder / "failure");
+    const bool shown = fails && record.failure_run == fails && run_is_finished(folder / "failure");
     if (report.failure.empty() && fails && !shown) {
       run_failure(slope, *fails, folder / "failure", std::ref(progress));
       progress.end();

@@ -72,6 +72,8 @@ std::vector<std::string> notes(const FosReport& report, const Simulation& settle
                     report.strengthening));
   }
   if (const auto note = dilation_note(scene, bracket.factor())) found.push_back(*note);
+  if (settled.lost_soil().particles > 0)
+    found.push_back("While it settled, " + settled.lost_soil().message(settled.soil_count()));
   const Stage& last = scene.stages.back();
   if (last.damping > 0.0) {
     found.push_back(fmt::format(

@@ -144,7 +144,9 @@ int run_program(int argc, char** argv) {
   app.set_version_flag("--version", "scarp " SCARP_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done, 1 error, 2 bad usage, 3 the run became unstable, 130 interrupted.");
+      "Exit codes: 0 done, 1 error, 2 bad usage, 3 the run became unstable, 4 the run ended but "
+      "lost "
+      "soil, 130 interrupted.");
 
   RunArguments run;
   CLI::App* run_app = app.add_subcommand("run", "Run a scene; leaves frames, tables, results.json");

@@ -110,7 +110,7 @@ Scene longer_scene(const std::string& file, const RunRecord& record, const Scene
 }
 
 bool go_on_is_needed(const fs::path& folder, bool more_stages) {
-  if (more_stages || !run_is_complete(folder)) return true;
+  if (more_stages || !run_is_finished(folder)) return true;
   fmt::print(stderr,
              "{}: the run is complete; there is nothing to go on with. More stages: scarp resume "
              "{} --scene LONGER.toml\n",
@@ -149,7 +149,7 @@ int resume_command(const ResumeArguments& arguments) {
   }
   put_edited_copy_aside(record, run.folder, arguments.scene);
   if (!go_on_is_needed(run.folder, more_stages)) return ok;
-  if (more_stages && run_is_complete(run.folder) && checkpoints_in(run.folder).empty()) {
+  if (more_stages && run_is_finished(run.folder) && checkpoints_in(run.folder).empty()) {
     throw CheckpointError(fmt::format(
         "'{}': the run left no checkpoint of its end, from which more stages could go on. Try "
         "[checkpoint] in the scene, and scarp run.",

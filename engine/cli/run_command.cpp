@@ -11,7 +11,7 @@
 #include "engine/cli/drive.hpp"
 #include "engine/cli/folder_claim.hpp"
 #include "engine/cli/run_record.hpp"
-#include "engine/initial_stress_check.hpp"
+#include "engine/cli/start_warnings.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/results.hpp"
 #include "engine/output/run_writer.hpp"
@@ -75,7 +75,7 @@ int run_command(const RunArguments& arguments) {
           ? std::filesystem::path("out") / std::filesystem::path(scene.file).stem()
           : std::filesystem::path(arguments.folder);
   Simulation simulation(scene, arguments.scene.options);
-  for (const std::string& warning : initial_stress_warnings(simulation))
+  for (const std::string& warning : start_warnings(simulation))
     fmt::print(stderr, "warning: {}\n", warning);
   if (!arguments.quiet) {
     fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",

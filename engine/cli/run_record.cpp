@@ -88,12 +88,12 @@ std::string change_of_scene(const RunRecord& record, const Scene& recorded) {
   }
 }
 
-bool run_is_complete(const std::filesystem::path& folder) {
-  return results_of(folder).value("complete", Json()) == true;
+bool run_is_finished(const std::filesystem::path& folder) {
+  return results_of(folder).value("finished", Json()) == true;
 }
 
 bool run_has_ended(const std::filesystem::path& folder) {
-  return run_is_complete(folder) || results_of(folder).value("instability", Json()).is_object();
+  return run_is_finished(folder) || results_of(folder).value("instability", Json()).is_object();
 }
 
 }  // namespace scarp::cli

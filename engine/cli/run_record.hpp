@@ -28,8 +28,8 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record);
 /// Errors: FileError if the folder holds no run.
 RunRecord read_record(const std::filesystem::path& folder);
 
-/// Whether results.json says that the run has reached its end.
-bool run_is_complete(const std::filesystem::path& folder);
+/// Whether results.json says that the run has reached its end, be it with all its soil or not.
+bool run_is_finished(const std::filesystem::path& folder);
 
 /// ... or became unstable, which going on would only repeat.
 bool run_has_ended(const std::filesystem::path& folder);

@@ -6,17 +6,20 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/scene/scene.hpp"
+#include "engine/simulation.hpp"
 
 namespace scarp {
 
 inline double size_of(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
 
-/// The largest way between two sets of positions, and where the particle's numbers begin.
-inline double farthest(const std::vector<double>& before, const std::vector<double>& now,
+/// The largest way of soil that is not lost since the positions `before`, and where the particle's
+/// numbers begin.
+inline double farthest(const std::vector<double>& before, const Simulation& simulation,
                        std::size_t* where = nullptr) {
+  const std::vector<double> now = simulation.field("position"), lost = simulation.field("lost");
   double largest = 0.0;
   for (std::size_t i = 0; i + 2 < now.size(); i += 3) {
+    if (lost[i / 3] != 0.0) continue;
     const double moved =
         std::hypot(now[i] - before[i], now[i + 1] - before[i + 1], now[i + 2] - before[i + 2]);
     if (!(moved > largest)) continue;

@@ -54,7 +54,7 @@ class Yielding {
       const Vec3 at = now.probe(*probe_).position;
       return size_of({at[0] - probe_start_[0], at[1] - probe_start_[1], at[2] - probe_start_[2]});
     }
-    return farthest(position_, now.field("position"));
+    return farthest(position_, now);
   }
 
  private:

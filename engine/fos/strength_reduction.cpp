@@ -79,7 +79,7 @@ StrengthReduction::StrengthReduction(Simulation settled, const Criterion& criter
 
 double StrengthReduction::largest_displacement(const Simulation& simulation,
                                                std::size_t* where) const {
-  return farthest(position_, simulation.field("position"), where);
+  return farthest(position_, simulation, where);
 }
 
 double StrengthReduction::displacement(const Simulation& simulation) const {

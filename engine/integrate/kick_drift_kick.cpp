@@ -11,6 +11,7 @@ namespace scarp {
 void kick_half(State& state) {
   const double half = 0.5 * state.clock.time_step, damp = 0.5 * half * state.stage.damping;
   const double keep = (1.0 - damp) / (1.0 + damp), gain = half / (1.0 + damp);
+  state.clock.kick = half;
   for (int a = 0; a < state.scene.dimension; ++a) {
     double* velocity = state.particles.component(Field::velocity, a);
     const double* acceleration = state.particles.component(Field::acceleration, a);

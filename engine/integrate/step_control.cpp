@@ -44,9 +44,11 @@ void choose_time_step(State& state) {
     limit = StepLimit::stage_end;
   }
   clock.time_step = dt;
+  std::fill(state.hold_force.begin(), state.hold_force.end(), Vec3{});  // of the step before
   state.report.limit = limit;
   state.report.time_step = dt;
-  state.report.max_velocity = std::sqrt(extremes.speed_squared);
+  state.report.max_velocity =
+      state.lost.particles > 0 ? fastest_soil(state) : std::sqrt(extremes.speed_squared);
   state.report.signal_material = extremes.signal_material;
 }
 

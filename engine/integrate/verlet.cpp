@@ -14,6 +14,7 @@ void advance_verlet(State& state) {
       !clock.restart && clock.since_restart < state.scene.numerics.verlet_restart_interval;
   const double dt = clock.time_step;
   const double leap = leaps ? clock.previous_time_step + dt : dt;
+  clock.kick = leap;
   const kernels::VerletConstants verlet{dt, leaps, state.stage.damping};
   run_stress_phase(
       state, dt, leap,

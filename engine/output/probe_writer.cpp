@@ -100,9 +100,9 @@ ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::pa
 
 ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
                          const Snapshot* progress, OldTables tables)
-    : history_(
-          table(folder, "history", progress, tables,
-                {"time [s]", "stage", "step", "time_step [s]", "limit", "max_velocity [m/s]"})) {
+    : history_(table(folder, "history", progress, tables,
+                     {"time [s]", "stage", "step", "time_step [s]", "limit", "max_velocity [m/s]",
+                      "lost_particles"})) {
   const Scene& scene = simulation.scene();
   const auto with = [&](const char* name, const Titles& titles) {
     return table(folder, name, progress, tables, titles);
@@ -130,7 +130,8 @@ void ProbeWriter::write(const Simulation& simulation) {
                                 ? scene.stages[simulation.stage_index()].name
                                 : std::string("-");
   history_ << report.time << stage << static_cast<double>(report.step) << report.time_step
-           << name_of(report.limit) << report.max_velocity;
+           << name_of(report.limit) << report.max_velocity
+           << static_cast<double>(simulation.lost_soil().particles);
   history_.end_row();
   if (probes_) {
     *probes_ << report.time << stage;

@@ -60,6 +60,17 @@ Json json_of(const Instability& what) {
           {"cause", what.cause},       {"advice", what.advice}};
 }
 
+Json json_of(const LostSoil& lost) {
+  Json json{{"particles", lost.particles}, {"mass", lost.mass}, {"first", Json()}};
+  if (lost.particles == 0) return json;
+  json["first"] = {{"particle", lost.first},
+                   {"step", lost.step},
+                   {"time_s", lost.time},
+                   {"stage", lost.stage},
+                   {"position", lost.position}};
+  return json;
+}
+
 double norm(const double* v) { return std::hypot(v[0], v[1], v[2]); }
 
 Json verdict(const RunResults& results) {
@@ -93,10 +104,11 @@ std::vector<Measure> basic_measures(const Simulation& simulation) {
   const auto fields = simulation.fields();
   if (std::any_of(fields.begin(), fields.end(),
                   [](const FieldInfo& field) { return field.name == "displacement"; })) {
-    const std::vector<double> displacement = simulation.field("displacement");
+    const std::vector<double> displacement = simulation.field("displacement"),
+                              lost = simulation.field("lost");
     double largest = 0.0;
     for (std::size_t i = 0; i + 2 < displacement.size(); i += 3) {
-      largest = std::fmax(largest, norm(&displacement[i]));
+      if (lost[i / 3] == 0.0) largest = std::fmax(largest, norm(&displacement[i]));
     }
     report("largest displacement", largest, "m");
   }
@@ -144,8 +156,10 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"title", scene.title},
             {"pass", verdict(results)},
             {"complete", results.failure.empty()},
+            {"finished", simulation.finished()},
             {"failure", results.failure.empty() ? Json() : Json(results.failure)},
             {"instability", results.instability ? json_of(*results.instability) : Json()},
+            {"lost_soil", json_of(simulation.lost_soil())},
             {"preset", scene.numerics.preset},
             {"precision", word(scene.numerics.precision)},
             {"isa", simulation.isa()},

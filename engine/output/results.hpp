@@ -37,8 +37,8 @@ std::string processor_name();
 /// The version of scarp.
 std::string program_version();
 
-/// Basic facts of the present state, none of them judged: largest displacement, residual velocity,
-/// mass, energies.
+/// Basic facts of the present state, none of them judged: largest displacement of what is not lost,
+/// residual velocity, mass, energies.
 std::vector<Measure> basic_measures(const Simulation& simulation);
 
 /// A run that became unstable went back and on with shorter steps.
@@ -54,14 +54,14 @@ struct RunResults {
   double wall_seconds = 0.0;
   std::vector<StageResult> stages;
   std::vector<Measure> measures;
-  std::string failure;  ///< why the run did not reach its end; empty if it did
+  std::string failure;  ///< why the run did not reach its end with all its soil; empty if it did
   std::optional<Instability> instability = {};  ///< ... if it became unstable
   std::vector<Retry> retries = {};
 };
 
 /// Writes results.json, version 1 (format documented in `engine/output/FORMATS.md`). "pass" is
-/// false if a measure failed or the run did not reach its end, else true, or null if nothing was
-/// judged. Errors: FileError.
+/// false if a measure failed or there is a `failure`, else true, or null if nothing was judged.
+/// Errors: FileError.
 void write_results(const std::filesystem::path& path, const Simulation& simulation,
                    const RunResults& results);
 

@@ -186,10 +186,13 @@ void RunWriter::finish(const Simulation& simulation, double wall_seconds,
                        const std::string& failure) {
   write_frame(simulation, failure.empty() ? "last" : "stopped");
   write_row(simulation);
+  const LostSoil& lost = simulation.lost_soil();
   write_results(
       folder_ / "results.json", simulation,
       {case_name(simulation.scene(), folder_), seconds_before_ + wall_seconds, stages_,
-       measures_ ? *measures_ : basic_measures(simulation), failure, instability_, retries_});
+       measures_ ? *measures_ : basic_measures(simulation),
+       failure.empty() && lost.particles > 0 ? lost.message(simulation.soil_count()) : failure,
+       instability_, retries_});
 }
 
 void RunWriter::go_back(const Simulation& simulation, const Snapshot& progress, Retry retry) {

@@ -41,6 +41,11 @@ std::int64_t ParticleBuffers::count() const {
   return sum;
 }
 
+const ParticleGroup& ParticleBuffers::group_of(std::int64_t slot) const {
+  return *std::find_if(groups_.begin(), groups_.end(),
+                       [slot](const ParticleGroup& group) { return slot < group.padded_end(); });
+}
+
 void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order,
                               std::span<const Field> also) {
   const auto gather = [&](auto& array) {

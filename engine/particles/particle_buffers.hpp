@@ -53,6 +53,7 @@ class ParticleBuffers {
   std::int64_t slots() const { return slots_; }
   std::int64_t count() const;
   const std::vector<ParticleGroup>& groups() const { return groups_; }
+  const ParticleGroup& group_of(std::int64_t slot) const;
   std::vector<std::int64_t>& ids() { return ids_; }  ///< permanent id by slot; -1 in padding
   const std::vector<std::int64_t>& ids() const { return ids_; }
 

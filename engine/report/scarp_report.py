@@ -162,12 +162,19 @@ def verdict_of(results):
 def run_badge(results):
     if not results:
         return badge(False, "✗ no results")
-    return badge(verdict_of(results), "✗ incomplete" if results.get("complete") is False else None)
+    if results.get("complete") is not False:
+        return badge(verdict_of(results))
+    return badge(False, "✗ lost soil" if results.get("finished") else "✗ incomplete")
 
 
 def verdict_section(page, results):
-    if results.get("failure"):
+    lost = results.get("lost_soil") or {}
+    if results.get("finished") and lost.get("particles"):
+        page.text(f"The run reached its end, but {results['failure']}", problem=True)
+    elif results.get("failure"):
         page.text(f"The run did not reach its end: {results['failure']}", problem=True)
+    if lost.get("particles") and not results.get("finished"):
+        page.text(f"Before, soil was lost: {lost['particles']} particles, {number(lost.get('mass'))} kg.", problem=True)
     if not results:
         page.text("There is no results.json: the run was killed or is still going on.", problem=True)
     if results.get("measures"):

@@ -13,7 +13,7 @@ std::string Instability::message() const {
                                               : fmt::format("is beyond {:.4g} {}", limit, unit);
   return fmt::format(
       "step {} at {:.6g} s (stage '{}'): particle {} at ({:.6g}, {:.6g}, {:.6g}) m: {} = {:.4g} {} "
-      "{}. Likely cause: {}. Try {}.",
+      "{}. Possible causes: {}. Try {}.",
       step, time, stage, particle, position[0], position[1], position[2], field, value, unit, bound,
       cause, advice);
 }

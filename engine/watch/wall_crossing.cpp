@@ -83,8 +83,9 @@ void watch_walls(const State& state) {
   lost.limit = lost_depth * state.scene.spacing;
   lost.cause = std::string(
       "a grain pressed or thrown through the face: soil too soft for its load, a gap or a sharp "
-      "corner near by, or a time step too long");
-  lost.advice = std::string("a stiffer soil, a finer spacing, a no-slip face, or a smaller cfl");
+      "corner near by, or a time step too long; from here they look alike");
+  lost.advice = advice_after_step_test(
+      "walls that meet, a stiffer soil, a finer spacing or a no-slip face may help");
   throw SimulationInstability(lost);
 }
 

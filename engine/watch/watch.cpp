@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "engine/parallel.hpp"
 
 namespace scarp {
@@ -18,11 +20,10 @@ constexpr double least_density = 0.01, most_density = 10.0;
 /// to twice its speed.
 constexpr double speed_margin = 2.0;
 
-constexpr const char* too_long =
-    "a time step too long for the stiffness, or soil too soft for its load";
-constexpr const char* shorter =
-    "a smaller cfl, or `retry` under [run]; `scarp check --probe` tells "
-    "the margin";
+constexpr const char* causes =
+    "soil too soft for its load, walls that squeeze or throw it, or a time step too long for the "
+    "stiffness; from here they look alike";
+constexpr const char* remedies = "a stiffer soil, a finer spacing or slower walls may help";
 
 double sound_speed(const State& state) {
   double fastest = 0.0;
@@ -83,8 +84,8 @@ std::optional<Instability> too_fast(const State& state) {
   const double height = std::hypot(g[0], g[1], g[2]) * soil_height(state);
   found.limit = allowed_speed(state) + std::sqrt(2.0 * (std::max(fall, 0.0) + height));
   if (found.value <= found.limit) return {};
-  found.cause = too_long;
-  found.advice = shorter;
+  found.cause = causes;
+  found.advice = advice_after_step_test(remedies);
   return found;
 }
 
@@ -115,17 +116,14 @@ std::optional<Instability> torn_or_crushed(const State& state) {
            (density[k] > most_density * reference && std::isfinite(density[k]));
   });
   if (slot < 0) return {};
-  const auto group = std::find_if(state.particles.groups().begin(), state.particles.groups().end(),
-                                  [&](const ParticleGroup& g) { return slot < g.padded_end(); });
-  const double reference = state.scene.materials[group->material].density;
+  const double reference = state.scene.materials[state.particles.group_of(slot).material].density;
   Instability found = at_particle(state, slot);
   found.field = "density";
   found.unit = "kg/m3";
   found.value = density[slot];
   found.limit = (found.value > reference ? most_density : least_density) * reference;
-  found.cause = "soil torn apart or crushed: too soft for its load, or a time step too long";
-  found.advice =
-      "a stiffer soil, a smaller cfl, or gradient_correction = true, which bounds density";
+  found.cause = std::string("soil torn apart or crushed: ") + causes;
+  found.advice = advice_after_step_test(remedies) + "; gradient_correction = true bounds density";
   return found;
 }
 
@@ -164,12 +162,19 @@ std::optional<Instability> energy_from_nothing(const State& state) {
   found.unit = state.scene.dimension == 2 ? "J/m" : "J";
   found.value = gain;
   found.limit = spent;
-  found.cause = too_long;
-  found.advice = shorter;
+  found.cause = causes;
+  found.advice = advice_after_step_test(remedies);
   return found;
 }
 
 }  // namespace
+
+std::string advice_after_step_test(const char* then) {
+  return fmt::format(
+      "half the cfl first, as `retry` under [run] does by itself: if it stops at the same time "
+      "again, the time step is not the cause, and {}",
+      then);
+}
 
 Instability at_particle(const State& state, std::int64_t slot) {
   Instability found;
@@ -208,9 +213,9 @@ Instability not_finite(const State& state, std::int64_t slot) {
     if (!found.field.empty()) break;
   }
   found.cause =
-      "a time step too long for the stiffness, or particles that overlap or meet a gap "
-      "between walls";
-  found.advice = shorter;
+      "particles that overlap or meet a gap between walls, or a time step too long for the "
+      "stiffness; from here they look alike";
+  found.advice = advice_after_step_test(remedies);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "engine/errors.hpp"
 #include "engine/state.hpp"
@@ -16,6 +17,9 @@ inline constexpr std::uint64_t steps_per_look = 50;
 /// Depth behind a face, in spacings, from where a grain counts as lost: no face holds it any more
 /// (B4).
 inline constexpr double lost_depth = 0.5;
+
+/// Advice that begins with what tells a time step that is too long from every other cause.
+std::string advice_after_step_test(const char* then);
 
 /// Step, time, stage and place filled in, the rest not.
 Instability at_particle(const State& state, std::int64_t slot);

@@ -176,6 +176,19 @@ class ReportTest(unittest.TestCase):
         self.assertIn("step 9: density is nan", text)
         self.assertIn("✗ incomplete", text)
 
+    def test_page_of_a_run_that_lost_soil_says_so_at_its_head(self):
+        run = self.folder / "leak"
+        lost = {"particles": 2, "mass": 40.0, "first": {}}
+        failure = "soil was lost: 2 of 32 particles (6 %)"
+        write_run(run, lattice(8, 4), complete=False, finished=True, failure=failure, lost_soil=lost)
+        text = scarp_report.report(run).read_text(encoding="utf-8")
+        self.assertIn("✗ lost soil", text)
+        self.assertIn("reached its end, but soil was lost: 2 of 32", text)
+        write_run(run, lattice(8, 4), complete=False, finished=False, failure="step 9: speed", lost_soil=lost)
+        text = scarp_report.report(run).read_text(encoding="utf-8")
+        self.assertIn("did not reach its end: step 9", text)
+        self.assertIn("soil was lost: 2 particles", text)
+
     def test_empty_folder_gives_a_page(self):
         (self.folder / "empty").mkdir()
         self.assertIn("no frames", scarp_report.report(self.folder / "empty").read_text(encoding="utf-8"))

@@ -31,7 +31,7 @@ void expect_found(const State& state, const std::string& field, double value) {
   const std::string message = found->message();
   for (const std::string& part :
        {field, fmt::format("particle {}", found->particle), std::string("step 1 "),
-        std::string("'settle'"), std::string("Likely cause"), std::string("Try")}) {
+        std::string("'settle'"), std::string("Possible causes"), std::string("Try")}) {
     EXPECT_NE(message.find(part), std::string::npos) << part << " in " << message;
   }
 }

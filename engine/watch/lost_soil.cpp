@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Who falls, past which walls, over what soil.
+#include "engine/watch/lost_soil.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "engine/boundary/across.hpp"
+#include "engine/boundary/facet_geometry.hpp"
+#include "engine/parallel.hpp"
+
+namespace scarp {
+
+using namespace geometry;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Slots = std::vector<std::int64_t>;
+
+class LostSearch {
+ public:
+  explicit LostSearch(const State& state)
+      : state_(state),
+        dimension_(state.scene.dimension),
+        reach_(2.0 * state.smoothing_length),
+        weight_(std::sqrt(dot(state.scene.gravity, state.scene.gravity))) {
+    // Half of what a fall over the reach gives, or of the speed that damping allows.
+    const double damping = state.stage.damping;
+    falls_at_ = 0.5 * std::sqrt(2.0 * weight_ * reach_);
+    if (damping > 0.0) falls_at_ = std::min(falls_at_, 0.5 * weight_ / damping);
+    for_each_facet({}, [this](const Facet& facet, const Vec3& shift) {
+      for (const Vec3& corner : corners(facet, dimension_)) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          lowest_[a] = std::min(lowest_[a], corner[a] - shift[a]);
+          highest_[a] = std::max(highest_[a], corner[a] - shift[a]);
+        }
+      }
+    });
+  }
+
+  Slots found() const {
+    const bool falls = weight_ > 0.0;
+    const Slots loose = falls ? select([this](std::int64_t k) { return falls_free(k); })
+                              : select([this](std::int64_t k) { return is_outside(k); });
+    return falls && !loose.empty() ? over_nothing(loose) : loose;
+  }
+
+ private:
+  Vec3 vector(Field field, std::int64_t slot) const {
+    Vec3 v{};
+    for (int a = 0; a < dimension_; ++a)
+      v[static_cast<std::size_t>(a)] = state_.particles.component(field, a)[slot];
+    return v;
+  }
+  double down(const Vec3& v) const { return dot(v, state_.scene.gravity) / weight_; }
+
+  /// Slots for which is(slot) holds and that have not been counted, in order.
+  template <class Is>
+  Slots select(const Is& is) const {
+    Slots all;
+    for (const ParticleGroup& group : state_.particles.groups()) {
+      const Slots part = parallel_reduce(
+          state_.threads, group.count, particle_chunk, Slots{},
+          [&](std::int64_t begin, std::int64_t end) {
+            Slots chosen;
+            for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+              if (!state_.is_lost(k) && is(k)) chosen.push_back(k);
+            }
+            return chosen;
+          },
+          [](Slots& total, const Slots& more) {
+            total.insert(total.end(), more.begin(), more.end());
+          });
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }
+
+  /// Calls use(facet, point relative to its wall) for the walls that stand.
+  template <class Use>
+  void for_each_facet(const Vec3& point, const Use& use) const {
+    for (std::size_t w = 0; w < state_.scene.walls.size(); ++w) {
+      if (!state_.wall_stands[w]) continue;
+      const Vec3 from_wall = minus(point, state_.wall_offset[w]);
+      for (const Facet& facet : state_.scene.walls[w].facets) use(facet, from_wall);
+    }
+  }
+
+  bool falls_free(std::int64_t slot) const {
+    const Vec3 v = vector(Field::velocity, slot);
+    if (!(down(v) > falls_at_)) return false;
+    const Vec3 x = vector(Field::position, slot);
+    if (!(down(minus(x, vector(Field::reference_position, slot))) > reach_)) return false;
+    return !meets_a_wall(x, v);
+  }
+
+  /// Whether x + v t + g t^2/2 comes through a facet, or past its edge within a spacing, at t > 0.
+  bool meets_a_wall(const Vec3& x, const Vec3& v) const {
+    bool meets = false;
+    for_each_facet(x, [&](const Facet& facet, const Vec3& from_wall) {
+      if (meets) return;
+      // The height over the face is c + b t + a t^2.
+      const double a = 0.5 * dot(state_.scene.gravity, facet.normal), b = dot(v, facet.normal),
+                   c = dot(minus(from_wall, facet.origin), facet.normal);
+      for (const double t : roots(a, b, c)) {
+        if (!(t > 0.0)) continue;
+        const Vec3 there = plus(plus(from_wall, t, v), 0.5 * t * t, state_.scene.gravity);
+        meets |= coordinates(facet, dimension_, there).above(facet, state_.scene.spacing);
+      }
+    });
+    return meets;
+  }
+
+  /// Of c + b t + a t^2; NaN: there is none.
+  static std::array<double, 2> roots(double a, double b, double c) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const double square = b * b - 4.0 * a * c;
+    if (square < 0.0) return {none, none};
+    const double q = -0.5 * (b + std::copysign(std::sqrt(square), b));  // without cancellation
+    return {q != 0.0 ? c / q : none, a != 0.0 ? q / a : none};
+  }
+
+  bool is_outside(std::int64_t slot) const {
+    const Vec3 x = vector(Field::position, slot);
+    bool outside = false;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a)
+      outside |= x[a] < lowest_[a] - reach_ || x[a] > highest_[a] + reach_;
+    return outside && is_behind(x) && !meets_a_wall(x, vector(Field::velocity, slot));
+  }
+
+  /// Whether the point lies on the back of every facet that is nearest to it.
+  bool is_behind(const Vec3& x) const {
+    double nearest = infinity;
+    bool behind = false;
+    for_each_facet(x, [&](const Facet& facet, const Vec3& from_wall) {
+      const FacetCoordinates at = coordinates(facet, dimension_, from_wall);
+      const double distance = at.distance(facet), tie = 1e-9 * distance;
+      if (distance > nearest + tie) return;
+      behind = at.depth > 0.0 && (behind || distance < nearest - tie);
+      nearest = std::min(nearest, distance);
+    });
+    return behind;
+  }
+
+  /// Those of `loose` under which no other soil lies, within the reach to the side.
+  Slots over_nothing(const Slots& loose) const {
+    const Across across(state_.scene, reach_);
+    std::unordered_map<Across::Column, double, Across::Hash> deepest;
+    const Slots held = select(
+        [&loose](std::int64_t k) { return !std::binary_search(loose.begin(), loose.end(), k); });
+    for (const std::int64_t k : held) {
+      const Vec3 x = vector(Field::position, k);
+      const auto [entry, fresh] = deepest.emplace(across.column(x), across.depth(x));
+      if (!fresh) entry->second = std::max(entry->second, across.depth(x));
+    }
+    Slots lost;
+    std::copy_if(loose.begin(), loose.end(), std::back_inserter(lost), [&](std::int64_t k) {
+      const Vec3 x = vector(Field::position, k);
+      bool over_soil = false;
+      across.around(across.column(x), [&](const Across::Column& column) {
+        const auto entry = deepest.find(column);
+        over_soil |= entry != deepest.end() && entry->second > across.depth(x);
+      });
+      return !over_soil;
+    });
+    return lost;
+  }
+
+  const State& state_;
+  int dimension_;
+  double reach_, weight_;
+  double falls_at_ = 0.0;  ///< speed along gravity from which a particle counts as falling
+  /// Of the walls that stand.
+  Vec3 lowest_{infinity, infinity, infinity}, highest_{-infinity, -infinity, -infinity};
+};
+
+}  // namespace
+
+void count_lost_soil(State& state) {
+  if (state.scene.walls.empty()) return;
+  const Slots found = LostSearch(state).found();
+  if (found.empty()) return;
+  const auto& ids = state.particles.ids();
+  const auto id_of = [&ids](std::int64_t slot) { return ids[static_cast<std::size_t>(slot)]; };
+  state.lost_ids.resize(static_cast<std::size_t>(state.particles.count()));
+  LostSoil& lost = state.lost;
+  if (lost.particles == 0) {
+    // The least id: slots depend on the order in memory.
+    const std::int64_t first =
+        *std::min_element(found.begin(), found.end(),
+                          [&](std::int64_t a, std::int64_t b) { return id_of(a) < id_of(b); });
+    lost.first = id_of(first);
+    lost.step = state.report.step;
+    lost.time = state.report.time;
+    lost.stage = state.scene.stages[state.stage.index].name;
+    for (int a = 0; a < state.scene.dimension; ++a)
+      lost.position[static_cast<std::size_t>(a)] =
+          state.particles.component(Field::position, a)[first];
+  }
+  for (const std::int64_t slot : found) {
+    state.lost_ids[static_cast<std::size_t>(id_of(slot))] = true;
+    lost.mass += state.scaling.mass[state.particles.group_of(slot).material];
+  }
+  lost.particles += found.size();
+}
+
+std::string LostSoil::message(std::size_t all) const {
+  const double share = 100.0 * static_cast<double>(particles) / static_cast<double>(all);
+  return fmt::format(
+      "soil was lost: {} of {} particles ({:.2g} %) left all walls and soil that could hold them. "
+      "The first: "
+      "particle {} at ({:.6g}, {:.6g}, {:.6g}) m, found at {:.6g} s, step {} (stage '{}'). Try "
+      "walls "
+      "that meet, a wider base, or a floor where the soil is meant to fall.",
+      particles, all, share, first, position[0], position[1], position[2], time, step, stage);
+}
+
+}  // namespace scarp

@@ -184,6 +184,7 @@ class ReportTest(unittest.TestCase):
         text = scarp_report.report(run).read_text(encoding="utf-8")
         self.assertIn("✗ lost soil", text)
         self.assertIn("reached its end, but soil was lost: 2 of 32", text)
+        run = self.folder / "unstable"
         write_run(run, lattice(8, 4), complete=False, finished=False, failure="step 9: speed", lost_soil=lost)
         text = scarp_report.report(run).read_text(encoding="utf-8")
         self.assertIn("did not reach its end: step 9", text)

@@ -5,8 +5,11 @@ of a case, of several (cases.json names them), or of error against run time, or 
 
 import importlib.util
 import pathlib
+import signal
 import sys
 
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # ends like any program, without a traceback
 _here = pathlib.Path(__file__).resolve().parent
 for _place in (_here.parent / "engine" / "report", _here.parent / "report",  # in the sources, or installed
                _here / "error_time", _here / "stability"):
@@ -79,29 +82,30 @@ def cost_section(page, results):
 def report(folder):
     folder = pathlib.Path(folder)
     results = scarp.read_results(folder)
+    source = folder / "results.json"
     figures = folder / "figures"
     page = scarp.Page(results.get("title") or results.get("case") or folder.name,
                       f"scarp validation, case {results.get('case', folder.name)}, {results.get('form', '')} form"
                       + (f", preset {results['preset']}" if "preset" in results else ""))  # of several: no one preset
     page.text(scarp.badge(scarp.verdict_of(results)))
-    scarp.verdict_section(page, results)
+    page.part(source, scarp.verdict_section, page, results)
     if results.get("claims"):
         page.section("What the paper says of it")
-        claims_table.draw(page, results["claims"])
+        page.part(source, claims_table.draw, page, results["claims"])
     draw = case_figures(results.get("case", folder.name))
     if draw:
-        draw(page, folder, figures)
-    convergence_figure(page, results, figures)
+        page.part(folder, draw, page, folder, figures)
+    page.part(source, convergence_figure, page, results, figures)
     page.section("Cost")
-    cost_section(page, results)
+    page.part(source, cost_section, page, results)
     page.section("Run")
-    scarp.facts_section(page, results)
+    page.part(source, scarp.facts_section, page, results)
     page.section("Particles")
-    scarp.particle_figures(page, folder, figures)
+    page.part(folder / "frames", scarp.particle_figures, page, folder, figures)
     page.section("Histories")
     scarp.history_figures(page, folder, figures)
     page.section("Machine, versions, numerics")
-    scarp.machine_section(page, results)
+    page.part(source, scarp.machine_section, page, results)
     if page.images:  # the first one stands for the case on the page over all
         figures.mkdir(exist_ok=True)
         (figures / "main.png").write_bytes(page.images[0])
@@ -124,4 +128,4 @@ def main(folder):
 if __name__ == "__main__":
     if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
         sys.exit("usage: report.py DIR (the folder of a case, of several, or of error_time)")
-    main(pathlib.Path(sys.argv[1]))
+    scarp.in_words(lambda: main(pathlib.Path(sys.argv[1])), sys.argv[1])

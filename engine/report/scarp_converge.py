@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `scarp converge`: advice, estimated error against run time, every quantity."""
 
-import json
 import pathlib
 
 from scarp_figures import plt
+from scarp_frames import read_json
 from scarp_page import Page
 
 
@@ -49,7 +49,7 @@ def error_figure(study):
 def converge_page(folder, out=None):
     """Writes the page over the three runs of a folder; returns its path."""
     folder = pathlib.Path(folder)
-    study = json.loads((folder / "converge.json").read_text(encoding="utf-8"))
+    study = read_json(folder / "converge.json")
     spacings = [f"{run['spacing']:g} m" for run in study["runs"]]
     page = Page(study["title"] or folder.name, f"scarp converge at {', '.join(spacings)}, preset {study['preset']}")
     for advice in study["advice"]:

@@ -59,12 +59,45 @@ def _simplified(line, tolerance):
     return line[keep]
 
 
+def in_view(frame):
+    """The frame without grains that lie so far out that the others would vanish beside them, and a sentence about
+    these; the frame itself and "" where there are none. Far out: the box of all is more than four times as long as
+    that of all but the outermost 0.05 % (three at least) at each end of an axis."""
+    position = frame["position"]
+    count = len(position)
+    trim = max(-(-count // 2000), 3) if count >= 40 else count // 10
+    if trim == 0:
+        return frame, ""
+    ordered = np.partition(position, [trim, count - 1 - trim], axis=0)
+    low, high = ordered[trim], ordered[count - 1 - trim]
+    room = 1.5 * np.maximum(high - low, 20 * frame["spacing"])
+    near = ((position >= low - room) & (position <= high + room)).all(axis=1)
+    if near.all():
+        return frame, ""
+    away = np.maximum(low - position, position - high).max(axis=1)
+    seen = dict(frame, position=position[near], fields={n: v[near] for n, v in frame["fields"].items()})
+    left = count - int(near.sum())
+    return seen, (f"{left} grain{'s lie' if left > 1 else ' lies'} outside this picture, the farthest "
+                  f"{away.max():.3g} m away.")
+
+
+def _tell(ax, sentence):
+    """A line below the title of a picture that does not show all."""
+    if sentence:
+        (ax.text2D if ax.name == "3d" else ax.text)(1.0, 1.0, sentence, transform=ax.transAxes, ha="right",
+                                                    va="bottom", fontsize=7, color="#d62728")
+
+
+MOST_CELLS = 1 << 27  # of a grid that a picture is made from
+
+
 def outline(frame, spacing=None, axes=(0, 1)):
     """Closed lines around the soil, [(n, 2)]: where the share of the plane that particles cover falls to
     a half. Details under a spacing and holes under four particles are left out."""
     spacing = spacing or frame["spacing"]
+    frame, _ = in_view(frame)
     points = frame["position"][:, list(axes)]
-    if len(points) == 0:
+    if len(points) == 0 or np.prod(np.ptp(points, axis=0) / spacing + 8) > MOST_CELLS:
         return []
     origin = points[np.lexsort(points.T)[0]] % spacing - 3 * spacing  # nodes on the initial lattice
     start = np.floor((points.min(axis=0) - origin) / spacing) - 2
@@ -111,6 +144,7 @@ def draw_particles_2d(ax, frame, field="accumulated_plastic_strain", limits=None
     or outline lines drawn dashed; `walls`: positions of dummies; `axes`: the coordinates shown. Returns
     the collection."""
     spacing = frame["spacing"]
+    frame, outside = in_view(frame)
     points = frame["position"][:, list(axes)]
     values = scalar(frame, field)
     low, high = limits or colour_limits(values)
@@ -133,6 +167,7 @@ def draw_particles_2d(ax, frame, field="accumulated_plastic_strain", limits=None
     ax.set_xlabel(f"{'xyz'[axes[0]]} [m]")
     ax.set_ylabel(f"{'xyz'[axes[1]]} [m]")
     ax.set_title(frame_title(frame) if title is None else title)
+    _tell(ax, outside)
     if bar:
         colour_bar(ax, discs, label_of(field, frame["units"].get(field, "")))
     return discs
@@ -145,7 +180,10 @@ def frame_title(frame):
 def surface_particles(frame, layers=2):
     """Mask of the particles in the outermost cells of about one spacing, `layers` deep: what can be seen
     from outside, and what shows through its gaps."""
-    cell = np.floor(frame["position"] / (1.05 * frame["spacing"])).astype(int)
+    place = frame["position"] / (1.05 * frame["spacing"])
+    if np.prod(np.ptp(place, axis=0) + 3) > MOST_CELLS:
+        return np.ones(len(place), dtype=bool)
+    cell = np.floor(place).astype(int)
     cell -= cell.min(axis=0) - 1
     full = np.zeros(cell.max(axis=0) + 2, dtype=bool)
     full[tuple(cell.T)] = True
@@ -160,6 +198,7 @@ def draw_particles_3d(ax, frame, field="displacement", limits=None, colour_map=N
                       view=(24, -58), title=None):
     """The visible particles in a 3D view with equal axes, shaded by a field; `view` is elevation and
     azimuth in degrees. Returns the scatter."""
+    frame, outside = in_view(frame)
     seen = surface_particles(frame)
     points, values = frame["position"][seen], scalar(frame, field)
     low, high = limits or colour_limits(values)
@@ -181,6 +220,7 @@ def draw_particles_3d(ax, frame, field="displacement", limits=None, colour_map=N
     ax.set_box_aspect(extent)
     ax.view_init(*view)
     ax.set_title(frame_title(frame) if title is None else title)
+    _tell(ax, outside)
     if bar:
         ax.figure.colorbar(scatter, ax=ax, shrink=0.6, pad=0.14, fraction=0.04,
                            label=label_of(field, frame["units"].get(field, "")))
@@ -189,7 +229,9 @@ def draw_particles_3d(ax, frame, field="displacement", limits=None, colour_map=N
 
 def draw_plan(ax, frame, limits=None, colour_map="cividis", bar=True):
     """3D from above: each square of one spacing has the elevation of its highest particle."""
+    frame, outside = in_view(frame)
     spacing, points = frame["spacing"], frame["position"]
+    spacing = max(spacing, float(np.sqrt(np.prod(np.ptp(points[:, :2], axis=0)) / MOST_CELLS)))
     cell = np.floor(points[:, :2] / spacing + 1e-6).astype(int)
     low = cell.min(axis=0) - 1
     top = np.full(cell.max(axis=0) - low + 2, -np.inf)
@@ -204,6 +246,7 @@ def draw_plan(ax, frame, limits=None, colour_map="cividis", bar=True):
     ax.set_xlabel("x [m]")
     ax.set_ylabel("y [m]")
     ax.set_title(f"plan, {frame_title(frame)}")
+    _tell(ax, outside)
     if bar:
         colour_bar(ax, mesh, "elevation [m]")
     return mesh
@@ -212,7 +255,8 @@ def draw_plan(ax, frame, limits=None, colour_map="cividis", bar=True):
 def section(frame, axis=1, at=None):
     """The frame's particles within 0.75 spacings of a plane across `axis`; the middle if `at` is None."""
     along = frame["position"][:, axis]
-    at = 0.5 * (along.min() + along.max()) if at is None else at
+    inner = in_view(frame)[0]["position"][:, axis]
+    at = 0.5 * (inner.min() + inner.max()) if at is None else at
     near = np.abs(along - at) < 0.75 * frame["spacing"]
     cut = dict(frame, position=frame["position"][near])
     cut["fields"] = {name: values[near] for name, values in frame["fields"].items()}

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of `scarp fos`: the factor, what was asked of the slope, the slip surface, every trial."""
 
-import json
 import pathlib
 
 import numpy as np
 
 from scarp_figures import draw_particles_2d, label_of, outline, plt, section
-from scarp_frames import frame_info, load_frame, read_series
+from scarp_frames import frame_info, load_frame, read_json, read_series
 from scarp_page import Page
 
 STANDS, FAILS = dict(color="#0072b2", marker="o"), dict(color="#d55e00", marker="^")
@@ -63,7 +62,7 @@ def slip_figures(page, folder, figures):
 def fos_page(folder, out=None):
     """Writes the page over what `scarp fos` left in a folder; returns its path."""
     folder = pathlib.Path(folder)
-    study = json.loads((folder / "fos.json").read_text(encoding="utf-8"))
+    study = read_json(folder / "fos.json")
     page = Page(study["title"] or folder.name,
                 f"scarp fos at a spacing of {study['spacing']:g} m, preset {study['preset']}")
     factor = study["factor_of_safety"]
@@ -81,7 +80,7 @@ def fos_page(folder, out=None):
     page.section("How it fails")
     if study["fails"] is not None and (folder / "failure" / "frames").exists():
         page.text(f"Strength cut by {study['fails']:.4g}, the least factor that failed, carried on beyond the limit.")
-        slip_figures(page, folder / "failure", folder / "figures")
+        page.part(folder / "failure" / "frames", slip_figures, page, folder / "failure", folder / "figures")
     else:
         page.text("No failure was shown.")
     page.section("Displacement against strength")

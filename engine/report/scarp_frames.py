@@ -1,13 +1,53 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads what a run leaves behind: frames, tables, results.json."""
 
+import contextlib
 import csv
 import json
+import math
 import pathlib
 import re
 
 import h5py
 import numpy as np
+
+
+class Damaged(Exception):
+    """A file that is not what a run writes. The message is a sentence that names it."""
+
+    def __init__(self, path, why):
+        super().__init__(f"'{path}': {why}; it is damaged or of another version.")
+
+
+@contextlib.contextmanager
+def _reading(path):
+    """Whatever a reader says of a file becomes Damaged."""
+    try:
+        yield
+    except (Damaged, FileNotFoundError):
+        raise
+    except Exception as error:  # every library has its own kinds, and a bad file brings out any of them
+        words = " ".join(str(error).split())[:200]
+        raise Damaged(path, f"cannot be read ({type(error).__name__}{': ' + words if words else ''})") from error
+
+
+def read_json(path):
+    """The object in a JSON file."""
+    with _reading(path), open(path, encoding="utf-8") as file:
+        value = json.load(file)
+    if not isinstance(value, dict):
+        raise Damaged(path, "is no JSON object")
+    return value
+
+
+def _stored(data, path):
+    """The numbers of a dataset. One that claims more of them than its file holds is not believed."""
+    if data.nbytes > pathlib.Path(path).stat().st_size:
+        raise Damaged(path, f"claims {data.nbytes:.3g} bytes in '{data.name}', more than it has")
+    values = np.asarray(data)
+    if values.dtype.kind not in "fiu":
+        raise Damaged(path, f"has no numbers in '{data.name}'")
+    return values
 
 
 def _text(value):
@@ -17,7 +57,7 @@ def _text(value):
 def frame_info(path):
     """The moment of a frame without its particles: time [s], step, stage, stage_index, event, title,
     dimension, spacing [m], and its path."""
-    with h5py.File(path, "r") as file:
+    with _reading(path), h5py.File(path, "r") as file:
         return _info(file, path)
 
 
@@ -28,23 +68,45 @@ def _info(file, path):
         info[name] = _text(value) if isinstance(value, (bytes, str)) else value.item()
     for name, fallback in (("time", 0.0), ("stage", ""), ("event", ""), ("dimension", 3)):
         info.setdefault(name, fallback)
+    for name, good in (("dimension", info["dimension"] in (2, 3)), ("time", _is_number(info["time"])),
+                       ("spacing", _is_number(info.get("spacing")) and info["spacing"] > 0.0),
+                       ("stage", isinstance(info["stage"], str)), ("event", isinstance(info["event"], str))):
+        if not good:
+            raise Damaged(path, f"its {name} is {info.get(name)!r}")
     return info
+
+
+def _is_number(value):
+    return isinstance(value, (int, float)) and math.isfinite(value)
 
 
 def load_frame(path):
     """frame_info plus `position` (n, 3) [m], `fields` {name: array} and `units` {name: unit}. Particles
     with a position that is not finite (a run that failed) are left out."""
-    with h5py.File(path, "r") as file:
+    with _reading(path), h5py.File(path, "r") as file:
         frame = _info(file, path)
         grid = file["VTKHDF"]
-        position = np.asarray(grid["Points"], dtype=float)
+        position = _positions(grid["Points"], path)
         good = np.isfinite(position).all(axis=1)
         frame["position"] = position[good]
         frame["fields"], frame["units"] = {}, {}
         for name, data in grid["PointData"].items():
-            frame["fields"][name] = np.asarray(data)[good]
+            values = _stored(data, path)
+            if values.ndim not in (1, 2) or len(values) != len(position) or (
+                    values.ndim == 2 and values.shape[1] not in (3, 6)):
+                raise Damaged(path, f"'{name}' has the shape {values.shape} for {len(position)} particles")
+            frame["fields"][name] = values[good]
             frame["units"][name] = _text(data.attrs.get("unit", ""))
+    if len(frame["position"]) == 0:
+        raise Damaged(path, "holds no particle that is anywhere")
     return frame
+
+
+def _positions(data, path):
+    position = np.asarray(_stored(data, path), dtype=float)
+    if position.ndim != 2 or position.shape[1] != 3:
+        raise Damaged(path, f"its points have the shape {position.shape}")
+    return position
 
 
 def scalar(frame, field):
@@ -71,8 +133,9 @@ def read_series(folder, name="soil"):
     for frames in (folder / "frames", folder):
         series = frames / f"{name}.hdf.series"
         if series.exists():
-            with open(series, encoding="utf-8") as file:
-                return [(frames / entry["name"], entry["time"]) for entry in json.load(file)["files"]]
+            listed = read_json(series)
+            with _reading(series):
+                return [(frames / entry["name"], entry["time"]) for entry in listed["files"]]
     return []
 
 
@@ -81,18 +144,19 @@ def load_walls(folder, number=0):
     frames = pathlib.Path(folder) / "frames"
     for path in (frames / f"walls_{number:05}.hdf", frames / "walls.hdf"):
         if path.exists():
-            with h5py.File(path, "r") as file:
-                return np.asarray(file["VTKHDF/Points"], dtype=float)
+            with _reading(path), h5py.File(path, "r") as file:
+                position = _positions(file["VTKHDF/Points"], path)
+                return position[np.isfinite(position).all(axis=1)]
     return None
 
 
 def read_table(path):
     """A CSV table of a run: ({column: numbers or list of texts}, {column: unit}), the units cut from the
-    titles. None if there is no such file or no row."""
+    titles. What is not finite is NaN. None if there is no such file or no row."""
     path = pathlib.Path(path)
     if not path.exists():
         return None
-    with open(path, newline="", encoding="utf-8") as file:
+    with _reading(path), open(path, newline="", encoding="utf-8") as file:
         rows = [row for row in csv.reader(file) if row]
     if len(rows) < 2:
         return None
@@ -104,9 +168,12 @@ def read_table(path):
         units[name] = match.group(2) if match else ""
         texts = [row[number] for row in rows[1:]]
         try:
-            columns[name] = np.array([float(text) for text in texts])
+            values = np.array([float(text) for text in texts])
+            columns[name] = np.where(np.isfinite(values), values, np.nan)
         except ValueError:
             columns[name] = texts
+    if len(rows) < 2 or not isinstance(columns.get("time"), np.ndarray):
+        raise Damaged(path, "has no column of times")
     return columns, units
 
 
@@ -115,5 +182,4 @@ def read_results(folder):
     path = pathlib.Path(folder) / "results.json"
     if not path.exists():
         return {}
-    with open(path, encoding="utf-8") as file:
-        return json.load(file)
+    return read_json(path)

@@ -5,6 +5,9 @@ import base64
 import html
 import io
 import pathlib
+import sys
+
+from scarp_frames import Damaged
 
 STYLE = """
 body{font:15px/1.45 "DejaVu Sans","Segoe UI",Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;
@@ -60,6 +63,11 @@ class Raw(str):
     """HTML that is meant as such; every other text is escaped."""
 
 
+def cannot_be_shown(source, error):
+    words = " ".join(str(error).split())[:200]
+    return f"'{source}': cannot be shown ({type(error).__name__}: {words}); it is damaged or of another version."
+
+
 def badge(verdict, words=None):
     css, default = WORDS[verdict]
     return Raw(f'<span class="badge {css}">{html.escape(words or default)}</span>')
@@ -99,8 +107,23 @@ class Page:
     def __init__(self, title, lead=""):
         self.title, self.parts = title, [f"<h1>{html.escape(title)}</h1>"]
         self.images = []  # bytes of the PNG figures, in order
+        self.left_out = []  # sentences about what could not be shown
         if lead:
             self.parts.append(f'<p class="lead">{html.escape(lead)}</p>')
+
+    def part(self, source, draw, *arguments):
+        """Calls draw(*arguments); what fails in it is left out, with a sentence on the page that names the file."""
+        try:
+            return draw(*arguments)
+        except Exception as error:  # a damaged file brings out every kind
+            import matplotlib.pyplot as plt
+            plt.close("all")
+            self.leave_out(str(error) if isinstance(error, Damaged) else cannot_be_shown(source, error))
+            return None
+
+    def leave_out(self, words):
+        self.left_out.append(words)
+        self.text(f"Left out: {words}", problem=True)
 
     def section(self, title, anchor=None, level=2):
         name = f' id="{html.escape(anchor, quote=True)}"' if anchor else ""
@@ -172,11 +195,15 @@ class Page:
                           f"<figcaption>{caption}</figcaption></figure>")
 
     def save(self, path):
+        """Writes the page; what it leaves out is said on standard error too."""
         path = pathlib.Path(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         part = path.with_name(path.name + ".part")
+        part.unlink(missing_ok=True)  # a link would lead elsewhere
         part.write_text('<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
                         '<meta name="viewport" content="width=device-width,initial-scale=1">'
                         f"<title>{html.escape(self.title)}</title><style>{STYLE}</style></head><body>\n"
                         + "\n".join(self.parts) + "\n</body></html>\n", encoding="utf-8")
         part.replace(path)
+        for words in self.left_out:
+            print(f"scarp report: left out: {words}", file=sys.stderr)

@@ -6,18 +6,22 @@ page over several runs. The functions of scarp_frames, scarp_figures and scarp_p
 import argparse
 import pathlib
 import platform
+import signal
 import sys
 
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # ends like any program, without a traceback
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 try:
     from scarp_figures import *  # noqa: F401,F403
     from scarp_figures import (colour_limits, draw_history, draw_particles_2d, draw_particles_3d, draw_plan,
-                               label_of, outline, plt, section)
-    from scarp_frames import (frame_info, load_frame, load_walls, read_results, read_series, read_table,
+                               in_view, label_of, outline, plt, section)
+    from scarp_frames import (Damaged, frame_info, load_frame, load_walls, read_results, read_series, read_table,
                               scalar)
     from scarp_converge import converge_page
+    from scarp_histories import history_figures
     from scarp_fos import fos_page
-    from scarp_page import Page, Raw, badge, band, number  # noqa: F401
+    from scarp_page import Page, Raw, badge, band, cannot_be_shown, number  # noqa: F401
 except ImportError as error:
     sys.exit(f"scarp report: {error}; install Debian's python3-matplotlib and python3-h5py.")
 
@@ -33,10 +37,12 @@ FACTS = [("case", "case", ""), ("preset", "preset", ""), ("precision", "precisio
          ("speed", "particle_steps_per_s", "particle-steps/s"), ("memory", "memory_bytes", "bytes")]
 
 
-def shown_frames(folder, most=6):
-    """The first frame, the frames at the end of a stage or of the run, and their numbers."""
-    infos = [dict(frame_info(path), number=n) for n, (path, _) in enumerate(read_series(folder))
+def shown_frames(page, folder, most=6):
+    """The first frame, the frames at the end of a stage or of the run, and their numbers; damaged ones are left out
+    and told."""
+    found = [(n, page.part(path, frame_info, path)) for n, (path, _) in enumerate(read_series(folder))
              if path.exists()]
+    infos = [dict(info, number=n) for n, info in found if info is not None]
     if not infos:
         return None, []
     ends = [info for info in infos if info["event"] in ("stage_end", "last", "stopped")]
@@ -52,52 +58,55 @@ def frames_of(folder, event):
 
 
 def particle_figures(page, folder, figures):
-    first, ends = shown_frames(folder)
+    first, ends = shown_frames(page, folder)
     if first is None:
         page.text("The run wrote no frames.")
         return
-    initial = load_frame(first["path"])
-    last = load_frame(ends[-1]["path"])
-    draw = plane_figures if first["dimension"] == 2 else space_figures
-    draw(page, folder, figures, initial, ends, last)
+    initial = page.part(first["path"], load_frame, first["path"])
+    draw = plane_frame if first["dimension"] == 2 else space_frame
+    lines = []
+    if initial is not None:
+        lines = outline(initial) if first["dimension"] == 2 else outline(section(initial), axes=(0, 2))
+    for end in ends:
+        page.part(end["path"], draw, page, folder, figures, lines, end)
 
 
-def plane_figures(page, folder, figures, initial, ends, last):
-    lines = outline(initial)
+def walls_of(page, folder, number):
+    return page.part(folder / "frames" / "walls.hdf", load_walls, folder, number)
+
+
+def plane_frame(page, folder, figures, lines, end):
+    frame, outside = in_view(load_frame(end["path"]))
+    walls = walls_of(page, folder, end["number"])
     for field in ("accumulated_plastic_strain", "displacement"):
-        if field not in last["fields"]:
-            continue
-        for end in ends:
-            frame = load_frame(end["path"])
+        if field in frame["fields"]:
             size = np.ptp(np.concatenate([frame["position"]] + [np.pad(l, ((0, 0), (0, 1))) for l in lines]),
                           axis=0)
             height = float(np.clip(7.6 * size[1] / max(size[0], 1e-9) + 0.9, 1.8, 9.0))
             figure, ax = plt.subplots(figsize=(9.0, height))
-            draw_particles_2d(ax, frame, field, None, lines, load_walls(folder, end["number"]))
+            draw_particles_2d(ax, frame, field, None, lines, walls)
             page.figure(figure, f"{label_of(field, '').rsplit(' [', 1)[0].capitalize()} at t = {end['time']:.4g} s"
-                        f" ({words_of(end)}); dashed: outline at the start; grey: wall particles.",
+                        f" ({words_of(end)}); dashed: outline at the start; grey: wall particles. {outside}",
                         figures / f"{field}_{end['number']:05}.png")
 
 
-def space_figures(page, folder, figures, initial, ends, last):
-    lines = outline(section(initial), axes=(0, 2))
-    for end in ends:
-        frame, name = load_frame(end["path"]), f"{end['number']:05}.png"
-        when = f"at t = {end['time']:.4g} s ({words_of(end)})"
-        figure = plt.figure(figsize=(9.0, 6.4))
-        draw_particles_3d(figure.add_subplot(projection="3d"), frame, title="")
-        page.figure(figure, f"Displacement {when}; particles that can be seen from outside.",
-                    figures / f"view_{name}")
-        figure, ax = plt.subplots(figsize=(9.0, figure_height(frame, 1)))
-        draw_plan(ax, frame)
-        page.figure(figure, f"Elevation of the highest particle {when}.", figures / f"plan_{name}")
-        cut = section(frame)
-        for field in ("accumulated_plastic_strain", "displacement"):
-            if field in cut["fields"]:
-                figure, ax = plt.subplots(figsize=(9.0, figure_height(frame, 2)))
-                draw_particles_2d(ax, cut, field, initial=lines, axes=(0, 2))
-                page.figure(figure, f"Middle section across y {when}, {field.replace('_', ' ')}; dashed: outline "
-                            "at the start.", figures / f"section_{field}_{name}")
+def space_frame(page, folder, figures, lines, end):
+    frame, outside = in_view(load_frame(end["path"]))
+    name, when = f"{end['number']:05}.png", f"at t = {end['time']:.4g} s ({words_of(end)})"
+    figure = plt.figure(figsize=(9.0, 6.4))
+    draw_particles_3d(figure.add_subplot(projection="3d"), frame, title="")
+    page.figure(figure, f"Displacement {when}; particles that can be seen from outside. {outside}",
+                figures / f"view_{name}")
+    figure, ax = plt.subplots(figsize=(9.0, figure_height(frame, 1)))
+    draw_plan(ax, frame)
+    page.figure(figure, f"Elevation of the highest particle {when}. {outside}", figures / f"plan_{name}")
+    cut = section(frame)
+    for field in ("accumulated_plastic_strain", "displacement"):
+        if field in cut["fields"]:
+            figure, ax = plt.subplots(figsize=(9.0, figure_height(frame, 2)))
+            draw_particles_2d(ax, cut, field, initial=lines, axes=(0, 2))
+            page.figure(figure, f"Middle section across y {when}, {field.replace('_', ' ')}; dashed: outline "
+                        f"at the start. {outside}", figures / f"section_{field}_{name}")
 
 
 def figure_height(frame, axis):
@@ -108,47 +117,6 @@ def figure_height(frame, axis):
 def words_of(end):
     return {"stage_end": f"end of stage “{end['stage']}”", "stopped": "where the run stopped"}.get(
         end["event"], "last frame")
-
-
-def history_figures(page, folder, figures):
-    probes = read_table(folder / "probes.csv")
-    if probes:
-        columns, units = probes
-        names = list(dict.fromkeys(c.rsplit(".", 1)[0] for c in columns if "." in c))
-        figure, axes = plt.subplots(2, 1, figsize=(9.0, 4.6), sharex=True)
-        for ax, quantity in zip(axes, ("displacement", "velocity")):
-            sizes = {"time": columns["time"], "stage": columns["stage"]}
-            for name in names:
-                parts = [columns[c] for c in columns if c.startswith(f"{name}.{quantity}_")]
-                sizes[name] = np.sqrt(sum(part**2 for part in parts))
-            unit = "m" if quantity == "displacement" else "m/s"
-            draw_history(ax, (sizes, {}), names, ylabel=f"|{quantity}| [{unit}]")
-        axes[0].set_xlabel("")
-        page.figure(figure, "Probes; dotted: a stage begins.", figures / "probes.png")
-    walls = read_table(folder / "walls.csv")
-    if walls:
-        names = [c for c in walls[0] if ".force_" in c]
-        figure, ax = plt.subplots(figsize=(9.0, 2.6))
-        draw_history(ax, walls, names, [n.replace(".force_", ", ") for n in names],
-                     f"force on the wall [{walls[1][names[0]]}]")
-        page.figure(figure, "Forces of the soil on the walls.", figures / "walls.png")
-    energy = read_table(folder / "energy.csv")
-    if energy:
-        names = [c for c in energy[0] if c not in ("time", "stage") and np.any(energy[0][c] != 0)]
-        if names:
-            figure, ax = plt.subplots(figsize=(9.0, 3.2))
-            draw_history(ax, energy, names, ylabel=f"energy [{energy[1][names[0]]}]")
-            page.figure(figure, "Energy balance; potential and elastic energy count from the start of each "
-                        "stage; parts that stay zero are not drawn.", figures / "energy.png")
-    history = read_table(folder / "history.csv")
-    if history:
-        figure, axes = plt.subplots(2, 1, figsize=(9.0, 3.8), sharex=True)
-        positive = {n: np.where(v > 0, v, np.nan) if isinstance(v, np.ndarray) and n != "time" else v
-                    for n, v in history[0].items()}
-        draw_history(axes[0], (positive, history[1]), ["max_velocity"], log=True)
-        draw_history(axes[1], (positive, history[1]), ["time_step"])
-        axes[0].set_xlabel("")
-        page.figure(figure, "Fastest particle and time step.", figures / "history.png")
 
 
 def verdict_of(results):
@@ -175,7 +143,7 @@ def verdict_section(page, results):
         page.text(f"The run did not reach its end: {results['failure']}", problem=True)
     if lost.get("particles") and not results.get("finished"):
         page.text(f"Before, soil was lost: {lost['particles']} particles, {number(lost.get('mass'))} kg.", problem=True)
-    if not results:
+    if not results and not page.left_out:
         page.text("There is no results.json: the run was killed or is still going on.", problem=True)
     if results.get("measures"):
         page.verdicts(results["measures"])
@@ -245,17 +213,33 @@ def machine_section(page, results):
 
 def run_parts(page, folder, results, level=2):
     """Everything about one run except the machine."""
-    figures = folder / "figures"
-    verdict_section(page, results)
-    own_figures(page, folder, results)
+    figures, source = folder / "figures", folder / "results.json"
+    page.part(source, verdict_section, page, results)
+    page.part(source, own_figures, page, folder, results)
     page.section("Run", level=level)
-    facts_section(page, results)
-    step_limits_section(page, results)
-    profile_section(page, results)
+    for draw in (facts_section, step_limits_section, profile_section):
+        page.part(source, draw, page, results)
     page.section("Particles", level=level)
-    particle_figures(page, folder, figures)
+    page.part(folder / "frames" / "soil.hdf.series", particle_figures, page, folder, figures)
     page.section("Histories", level=level)
     history_figures(page, folder, figures)
+
+
+LEFT_BY_A_RUN = ("results.json", "run.json", "history.csv", "frames")
+
+
+def require_run(folder):
+    if not any((folder / name).exists() for name in LEFT_BY_A_RUN):
+        raise NoRun(f"'{folder}': there is no run in it, none of {', '.join(LEFT_BY_A_RUN)}. Give the output folder of "
+                    "scarp run, scarp converge or scarp fos.")
+
+
+class NoRun(Exception):
+    """A folder that nothing was left in."""
+
+
+def title_of(folder, results):
+    return str(results.get("title") or results.get("case") or folder.name)
 
 
 def report(folder, out=None):
@@ -265,13 +249,19 @@ def report(folder, out=None):
         return converge_page(folder, out)
     if (folder / "fos.json").exists():
         return fos_page(folder, out)
-    results = read_results(folder)
-    page = Page(results.get("title") or results.get("case") or folder.name,
-                f"scarp run “{results.get('case', folder.name)}”")
-    page.text(run_badge(results))
+    require_run(folder)
+    try:
+        results, damage = read_results(folder), None
+    except Damaged as error:
+        results, damage = {}, str(error)
+    page = Page(title_of(folder, results), f"scarp run “{results.get('case', folder.name)}”")
+    if damage:
+        page.leave_out(damage)
+    else:
+        page.part(folder / "results.json", lambda: page.text(run_badge(results)))
     run_parts(page, folder, results)
     page.section("Machine, versions, numerics")
-    machine_section(page, results)
+    page.part(folder / "results.json", machine_section, page, results)
     path = pathlib.Path(out or folder / "report.html")
     page.save(path)
     return path
@@ -316,5 +306,18 @@ def main(arguments=None):
             print(report(folder))
 
 
+def in_words(work, source):
+    """Calls work; whatever fails in it ends the program with a sentence and exit code 1."""
+    try:
+        work()
+        sys.stdout.flush()
+    except (Damaged, NoRun) as error:
+        sys.exit(f"scarp report: {error}")
+    except OSError as error:
+        sys.exit(f"scarp report: '{error.filename or source}': {error.strerror or error}.")
+    except Exception as error:  # from one file alone, such as fos.json
+        sys.exit(f"scarp report: {cannot_be_shown(source, error)}")
+
+
 if __name__ == "__main__":
-    main()
+    in_words(main, " ".join(sys.argv[1:]))

@@ -3,61 +3,20 @@
 
 Usage: report_test.py FOLDER_OF_THE_REPORT_SCRIPTS"""
 
-import json
 import pathlib
 import sys
 import tempfile
 import unittest
 
-import h5py
 import numpy as np
+
+from run_folder import lattice, write_frame, write_run
 
 sys.path.insert(0, sys.argv.pop(1))
 import scarp_figures  # noqa: E402
 import scarp_frames  # noqa: E402
 import scarp_page  # noqa: E402
 import scarp_report  # noqa: E402
-
-
-def lattice(*sizes, spacing=0.25):
-    axes = [spacing * (np.arange(n) + 0.5) for n in sizes]
-    points = np.stack([a.ravel() for a in np.meshgrid(*axes, indexing="ij")], axis=1)
-    return np.pad(points, ((0, 0), (0, 3 - points.shape[1])))
-
-
-def write_frame(path, position, dimension=2, time=0.0, event="interval", stage="fail", spacing=0.25):
-    count = len(position)
-    with h5py.File(path, "w") as file:
-        file.attrs.update(time=time, step=[7], stage_index=[0], stage=np.bytes_(stage),
-                          event=np.bytes_(event), title=np.bytes_("T"), dimension=[dimension],
-                          spacing=spacing)
-        grid = file.create_group("VTKHDF")
-        grid["Points"] = position.astype("f4")
-        data = grid.create_group("PointData")
-        data["displacement"] = np.outer(np.arange(count), [3.0, 4.0, 0.0]).astype("f4")
-        data["displacement"].attrs["unit"] = np.bytes_("m")
-        data["stress"] = np.outer(np.ones(count), [1.0, 2, 3, 4, 5, 6]).astype("f4")
-        data["accumulated_plastic_strain"] = np.linspace(0, 1, count).astype("f4")
-        data["id"] = np.arange(count)
-
-
-def write_run(folder, position, dimension=2, **results):
-    """A run of two frames, the second sheared, with tables and results."""
-    frames = folder / "frames"
-    frames.mkdir(parents=True)
-    write_frame(frames / "soil_00000.hdf", position, dimension, 0.0, "start")
-    moved = position + 0.2 * position[:, [dimension - 1]] * [1.0, 0.0, 0.0]
-    write_frame(frames / "soil_00001.hdf", moved, dimension, 2.0, "stage_end")
-    (frames / "soil.hdf.series").write_text(json.dumps({"file-series-version": "1.0", "files": [
-        {"name": "soil_00000.hdf", "time": 0.0}, {"name": "soil_00001.hdf", "time": 2.0}]}))
-    (folder / "probes.csv").write_text(
-        "time [s],stage,toe.displacement_x [m],toe.displacement_y [m],toe.velocity_x [m/s],"
-        "toe.velocity_y [m/s]\n0,settle,0,0,0,0\n1,fail,3,4,0,1\n2,fail,3,4")
-    (folder / "walls.csv").write_text("time [s],stage,base.force_x [N/m]\n0,settle,0\n2,fail,5\n")
-    (folder / "energy.csv").write_text("time [s],stage,kinetic [J/m],wall [J/m]\n0,s,0,0\n2,s,5,0\n")
-    (folder / "history.csv").write_text("time [s],stage,step,time_step [s],limit,max_velocity [m/s]\n"
-                                        "0,s,0,0,acoustic,0\n2,s,9,0.1,acoustic,1\n")
-    (folder / "results.json").write_text(json.dumps({"case": folder.name, "title": "Slope <1>", **results}))
 
 
 class ReportTest(unittest.TestCase):
@@ -190,9 +149,11 @@ class ReportTest(unittest.TestCase):
         self.assertIn("did not reach its end: step 9", text)
         self.assertIn("soil was lost: 2 particles", text)
 
-    def test_empty_folder_gives_a_page(self):
+    def test_a_folder_that_is_no_run_gets_no_page(self):
         (self.folder / "empty").mkdir()
-        self.assertIn("no frames", scarp_report.report(self.folder / "empty").read_text(encoding="utf-8"))
+        with self.assertRaisesRegex(scarp_report.NoRun, "empty.*no run in it"):
+            scarp_report.report(self.folder / "empty")
+        self.assertEqual(list((self.folder / "empty").iterdir()), [])
 
     def test_overall_page_lists_every_run(self):
         write_run(self.folder / "a", lattice(8, 4), **{"measures": [{"name": "m", "value": 1, "pass": True}]})

@@ -45,10 +45,8 @@ void keys(benchmark::State& bench, State& state) {
   std::vector<std::uint64_t> out(static_cast<std::size_t>(soil.end));
   for (auto _ : bench) {
     for (std::int64_t k = soil.begin; k < soil.end; ++k) {
-      const auto cell = state.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0);
       out[static_cast<std::size_t>(k)] =
-          morton_key(static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1]),
-                     static_cast<std::uint32_t>(cell[2]));
+          morton_key(state.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0));
     }
     benchmark::DoNotOptimize(out.data());
   }
@@ -110,9 +108,8 @@ void put_in_order(State& state, Order wanted, bool compact) {
       std::array<std::uint32_t, 3> cell{};
       const auto of = state.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0);
       for (std::size_t a = 0; a < 3; ++a) cell[a] = static_cast<std::uint32_t>(of[a]);
-      keys[static_cast<std::size_t>(k)] = wanted == Order::hilbert
-                                              ? hilbert_key(cell, state.scene.dimension)
-                                              : morton_key(cell[0], cell[1], cell[2]);
+      keys[static_cast<std::size_t>(k)] =
+          wanted == Order::hilbert ? hilbert_key(cell, state.scene.dimension) : morton_key(of);
     }
     std::stable_sort(begin, end, [&](std::int32_t a, std::int32_t b) {
       return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)];

@@ -33,7 +33,7 @@ inline std::uint64_t hilbert_key(std::array<std::uint32_t, 3> x, int dimension, 
   for (std::size_t i = 0; i < n; ++i) x[i] ^= t;
   // The transposed index reads the bits of x[0], x[1], x[2] in turn, highest first: Morton's
   // interleaving with the first axis highest.
-  return n == 3 ? morton_key(x[2], x[1], x[0]) : morton_key(x[1], x[0], 0);
+  return n == 3 ? morton_key({x[2], x[1], x[0]}) : morton_key({x[1], x[0], 0});
 }
 
 }  // namespace scarp::bench

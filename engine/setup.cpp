@@ -12,6 +12,7 @@
 #include "engine/integrate/lattice_sums.hpp"
 #include "engine/parallel.hpp"
 #include "engine/particles/generate.hpp"
+#include "engine/particles/probe_particles.hpp"
 #include "engine/particles/soil_above.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/state.hpp"
@@ -262,19 +263,9 @@ State make_state(Scene scene, const RunOptions& options) {
   fill_particles(state, soil);
   place_walls(state);
   for (const Probe& probe : state.scene.probes) {
-    std::size_t nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t id = 0; id < soil.position.size(); ++id) {
-      double square = 0.0;
-      for (std::size_t a = 0; a < 3; ++a) {
-        square += (soil.position[id][a] - probe.at[a]) * (soil.position[id][a] - probe.at[a]);
-      }
-      if (square < least) {
-        least = square;
-        nearest = id;
-      }
-    }
-    state.probe_ids.push_back(static_cast<std::int64_t>(nearest));
+    const ChosenParticle chosen = particle_of_probe(state.scene, soil, probe);
+    state.probe_particles.push_back({probe.name, static_cast<std::int64_t>(chosen.id),
+                                     soil.position[chosen.id], chosen.distance, chosen.tied});
   }
   start_ledger(state);
   return state;

@@ -247,7 +247,8 @@ std::vector<WallReaction> Simulation::wall_reactions() const {
 ProbeSample Simulation::probe(std::size_t index) const {
   const State& state = impl_->state;
   const auto& ids = state.particles.ids();
-  const auto slot = std::find(ids.begin(), ids.end(), state.probe_ids.at(index)) - ids.begin();
+  const std::int64_t followed = state.probe_particles.at(index).particle;
+  const auto slot = std::find(ids.begin(), ids.end(), followed) - ids.begin();
   const auto read = [&](Field field, int c) {
     const double* array = state.particles.component(field, c);
     return array != nullptr ? array[slot] : 0.0;
@@ -264,6 +265,10 @@ ProbeSample Simulation::probe(std::size_t index) const {
   sample.density = read(Field::density, 0);
   sample.accumulated_plastic_strain = read(Field::accumulated_plastic_strain, 0);
   return sample;
+}
+
+const std::vector<ProbeParticle>& Simulation::probe_particles() const {
+  return impl_->state.probe_particles;
 }
 
 double Simulation::smoothing_length() const { return impl_->state.smoothing_length; }

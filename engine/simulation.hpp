@@ -101,6 +101,15 @@ struct ProbeSample {
   double accumulated_plastic_strain = 0.0;
 };
 
+/// The particle that a probe follows: the nearest one to its point at the start.
+struct ProbeParticle {
+  std::string probe;
+  std::int64_t particle = 0;  ///< permanent id
+  Vec3 start{};               ///< where it was at the start [m]
+  double distance = 0.0;      ///< from the probe's point then [m]
+  std::size_t tied = 1;       ///< particles that were as near, itself included
+};
+
 /// A quantity of the particles that can be read out and written to frames.
 struct FieldInfo {
   std::string name;  ///< "density", "stress", "displacement", ...
@@ -178,6 +187,7 @@ class Simulation {
   EnergyBalance energy() const;
   std::vector<WallReaction> wall_reactions() const;
   ProbeSample probe(std::size_t index) const;
+  const std::vector<ProbeParticle>& probe_particles() const;
 
   double smoothing_length() const;
   /// Largest CFL number for sound on the undisturbed lattice, in closed form (T1).

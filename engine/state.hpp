@@ -110,7 +110,7 @@ struct State {
 
   kernels::PairConstants<double> pair_constants{};
   std::vector<kernels::StressPassConstants> material_constants;
-  std::vector<std::int64_t> probe_ids;
+  std::vector<ProbeParticle> probe_particles;  ///< by probe
 
   StageClock stage;
   StepClock clock;

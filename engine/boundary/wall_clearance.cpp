@@ -33,6 +33,27 @@ struct Faces {
   }
 };
 
+/// Whether soil lies in front of the facet too, as near to it as what is seen through a wall.
+bool soil_in_front(const Facet& facet, int dimension, const SoilPoints& soil, double thickness) {
+  return std::any_of(soil.position.begin(), soil.position.end(), [&](const Vec3& point) {
+    const FacetCoordinates at = coordinates(facet, dimension, point);
+    return at.depth < 0.0 && at.depth > -thickness && at.above(facet, 0.0);
+  });
+}
+
+std::string advice(const Scene& scene, const Facet& facet, const SoilPoints& soil,
+                   double thickness) {
+  if (!soil_in_front(facet, scene.dimension, soil, thickness)) {
+    return "Try to reverse the order of the line's points (in 3D: the normal), or move the body or "
+           "the wall.";
+  }
+  return fmt::format(
+      "There is soil in front of it as well, but a wall has soil on one side only. Try to draw a "
+      "sheet pile as a slot of {:g} m or more that the bodies leave free, with a line up its one "
+      "face, over its head and down the other.",
+      2.0 * scene.spacing);
+}
+
 }  // namespace
 
 void check_wall_clearance(const Scene& scene, const SoilPoints& soil) {
@@ -62,11 +83,11 @@ void check_wall_clearance(const Scene& scene, const SoilPoints& soil) {
   }
   if (first == faces.facets.size()) return;
   const Wall& wall = *faces.walls[first];
-  throw SceneError(fmt::format(
-      "{}'{}': the soil particle at {} lies {:.3g} m behind it. Try to reverse the order of "
-      "the line's points (in 3D: the normal), or move the body or the wall.",
-      message_start(scene, wall), wall.name, point_text(inside, scene.dimension),
-      coordinates(faces.facets[first], scene.dimension, inside).depth));
+  throw SceneError(fmt::format("{}'{}': the soil particle at {} lies {:.3g} m behind it. {}",
+                               message_start(scene, wall), wall.name,
+                               point_text(inside, scene.dimension),
+                               coordinates(faces.facets[first], scene.dimension, inside).depth,
+                               advice(scene, faces.facets[first], soil, thickness)));
 }
 
 }  // namespace scarp

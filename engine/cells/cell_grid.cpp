@@ -11,7 +11,8 @@
 namespace scarp {
 namespace {
 
-constexpr std::int32_t last_cell = (1 << 21) - 1;
+/// Cells up to here from the lowest point have coordinates of their own.
+constexpr double last_cell = 0x1p52;
 
 struct KeyedSlot {
   std::uint64_t key;
@@ -46,7 +47,8 @@ std::size_t home(std::uint64_t key, std::size_t size) {
 CellIndex CellGrid::cell_of(double x, double y, double z) const {
   const auto index = [&](double value, double origin) {
     const double cell = std::floor((value - origin) * inverse_cell_);
-    return static_cast<std::int32_t>(std::clamp(cell, 0.0, double{last_cell}));
+    // What is not a number goes to cell 0.
+    return static_cast<std::int64_t>(cell > 0.0 ? std::min(cell, last_cell) : 0.0);
   };
   return {index(x, origin_[0]), index(y, origin_[1]), index(z, origin_[2])};
 }
@@ -73,29 +75,28 @@ void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotR
   origin_ = {lowest(points.x) - 4 * cell_size, lowest(points.y) - 4 * cell_size,
              lowest(points.z) - 4 * cell_size};
   order_.clear();
+  occupied_ = 0;
   tables_.resize(ranges.size());
   std::vector<KeyedSlot> items, scratch;
   for (std::size_t r = 0; r < ranges.size(); ++r) {
     const SlotRange range = ranges[r];
     items.resize(static_cast<std::size_t>(range.end - range.begin));
-    parallel_chunks(
-        threads, range.end - range.begin, particle_chunk,
-        [&](std::int64_t begin, std::int64_t end) {
-          for (std::int64_t k = begin; k < end; ++k) {
-            const std::int64_t slot = range.begin + k;
-            const CellIndex cell =
-                cell_of(points.x[slot], points.y[slot], points.z ? points.z[slot] : 0.0);
-            items[static_cast<std::size_t>(k)] = {
-                morton_key(static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(cell[1]),
-                           static_cast<std::uint32_t>(cell[2])),
-                static_cast<std::int32_t>(slot)};
-          }
-        });
+    parallel_chunks(threads, range.end - range.begin, particle_chunk,
+                    [&](std::int64_t begin, std::int64_t end) {
+                      for (std::int64_t k = begin; k < end; ++k) {
+                        const std::int64_t slot = range.begin + k;
+                        const CellIndex cell = cell_of(points.x[slot], points.y[slot],
+                                                       points.z ? points.z[slot] : 0.0);
+                        items[static_cast<std::size_t>(k)] = {morton_key(cell),
+                                                              static_cast<std::int32_t>(slot)};
+                      }
+                    });
     if (!items.empty()) sort_by_key(items, scratch);
     std::size_t occupied = 0;
     for (std::size_t k = 0; k < items.size(); ++k)
       occupied += k == 0 || items[k].key != items[k - 1].key;
     tables_[r].assign(occupied + occupied / 2 + 1, Bucket{});
+    occupied_ += occupied;
     const auto offset = static_cast<std::int32_t>(order_.size());
     for (std::size_t k = 0; k < items.size();) {
       std::size_t end = k + 1;
@@ -108,26 +109,31 @@ void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotR
   }
 }
 
-void CellGrid::collect(const CellIndex& low, const CellIndex& high,
-                       std::vector<std::int32_t>& out) const {
+void CellGrid::append(const std::vector<Bucket>& table, std::uint64_t key,
+                      std::vector<std::int32_t>& out) const {
+  for (std::size_t place = home(key, table.size()); table[place].key != empty;
+       place = place + 1 < table.size() ? place + 1 : 0) {
+    if (table[place].key != key) continue;
+    for (std::int32_t k = table[place].begin; k < table[place].end; ++k)
+      out.push_back(order_[static_cast<std::size_t>(k)]);
+    return;
+  }
+}
+
+void CellGrid::collect(const CellBox& box, std::vector<std::int32_t>& out) const {
   for (const std::vector<Bucket>& table : tables_) {
-    for (std::int32_t z = low[2]; z <= high[2]; ++z) {
-      for (std::int32_t y = low[1]; y <= high[1]; ++y) {
-        for (std::int32_t x = low[0]; x <= high[0]; ++x) {
-          const std::uint64_t key =
-              morton_key(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                         static_cast<std::uint32_t>(z));
-          for (std::size_t place = home(key, table.size()); table[place].key != empty;
-               place = place + 1 < table.size() ? place + 1 : 0) {
-            if (table[place].key != key) continue;
-            for (std::int32_t k = table[place].begin; k < table[place].end; ++k) {
-              out.push_back(order_[static_cast<std::size_t>(k)]);
-            }
-            break;
-          }
-        }
+    for (std::int64_t z = box.low[2]; z <= box.high[2]; ++z) {
+      for (std::int64_t y = box.low[1]; y <= box.high[1]; ++y) {
+        for (std::int64_t x = box.low[0]; x <= box.high[0]; ++x)
+          append(table, morton_key({x, y, z}), out);
       }
     }
+  }
+}
+
+void CellGrid::collect(std::span<const CellIndex> cells, std::vector<std::int32_t>& out) const {
+  for (const std::vector<Bucket>& table : tables_) {
+    for (const CellIndex& cell : cells) append(table, morton_key(cell), out);
   }
 }
 

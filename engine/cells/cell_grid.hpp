@@ -4,19 +4,23 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace scarp {
 
-/// Integer coordinates of a cell, 21 bits each after the offset.
-using CellIndex = std::array<std::int32_t, 3>;
+/// Integer coordinates of a cell; cells that are 2^21 apart along an axis share their points.
+using CellIndex = std::array<std::int64_t, 3>;
 
-/// Interleaves the bits of three 21-bit coordinates: points near in space become near in memory.
+/// Bits of a cell's coordinate that tell it from others.
+inline constexpr std::int64_t cell_mask = 0x1fffff;
+
+/// Interleaves the low 21 bits of three coordinates: points near in space become near in memory.
 /// Source: Morton (1966); bit spreading by masks.
-constexpr std::uint64_t morton_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  const auto spread = [](std::uint64_t v) {
-    v &= 0x1fffff;
+constexpr std::uint64_t morton_key(const CellIndex& cell) {
+  const auto spread = [](std::int64_t index) {
+    auto v = static_cast<std::uint64_t>(index & cell_mask);
     v = (v | v << 32) & 0x001f00000000ffff;
     v = (v | v << 16) & 0x001f0000ff0000ff;
     v = (v | v << 8) & 0x100f00f00f00f00f;
@@ -24,8 +28,23 @@ constexpr std::uint64_t morton_key(std::uint32_t x, std::uint32_t y, std::uint32
     v = (v | v << 2) & 0x1249249249249249;
     return v;
   };
-  return spread(x) | spread(y) << 1 | spread(z) << 2;
+  return spread(cell[0]) | spread(cell[1]) << 1 | spread(cell[2]) << 2;
 }
+
+/// The cells low .. high of every axis.
+struct CellBox {
+  CellIndex low{}, high{};
+  /// How many there are; infinite if a side is so long that some share their points.
+  double count() const {
+    double product = 1.0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::int64_t side = high[a] - low[a] + 1;
+      product *=
+          side > cell_mask ? std::numeric_limits<double>::infinity() : static_cast<double>(side);
+    }
+    return product;
+  }
+};
 
 /// Three coordinate arrays of points; `z` is null in 2D.
 struct PointSpan {
@@ -41,8 +60,8 @@ struct SlotRange {
 };
 
 /// Points by cell. Cells form an unbounded grid; only occupied ones take memory, in a hash table.
-/// Limits: coordinates beyond 2^20 cells from the lowest point are clamped to the edge cells, which
-/// stay correct and only become slow.
+/// Points 2^21 cells apart may come back as one cell's: callers look at distances anyway. Limits:
+/// coordinates beyond 2^52 cells, where doubles no longer tell cells apart, share the outermost.
 class CellGrid {
  public:
   /// Sorts the slots of each range by Morton key of their cell, ties by slot.
@@ -52,9 +71,16 @@ class CellGrid {
   /// Slots in Morton order, range after range.
   std::span<const std::int32_t> order() const { return order_; }
   CellIndex cell_of(double x, double y, double z) const;
-  /// Appends the slots of all points in the cells low..high to `out`, range by range and cell by
-  /// cell.
-  void collect(const CellIndex& low, const CellIndex& high, std::vector<std::int32_t>& out) const;
+  CellBox box_of(const std::array<double, 3>& low, const std::array<double, 3>& high) const {
+    return {cell_of(low[0], low[1], low[2]), cell_of(high[0], high[1], high[2])};
+  }
+  /// Appends the slots of all points in the cells of `box` to `out`, range by range and cell by
+  /// cell. Pre: its count is finite.
+  void collect(const CellBox& box, std::vector<std::int32_t>& out) const;
+  /// The same for cells one by one, in the order given. Pre: no two have the same key.
+  void collect(std::span<const CellIndex> cells, std::vector<std::int32_t>& out) const;
+  /// How many cells hold points, those of several ranges counted for each.
+  std::size_t occupied() const { return occupied_; }
   std::size_t bytes() const;
 
  private:
@@ -64,10 +90,13 @@ class CellGrid {
     std::int32_t end = 0;
   };
   static constexpr std::uint64_t empty = ~std::uint64_t{0};
+  void append(const std::vector<Bucket>& table, std::uint64_t key,
+              std::vector<std::int32_t>& out) const;
   void insert(std::uint64_t key, std::int32_t begin, std::int32_t end, std::vector<Bucket>& table);
 
   double inverse_cell_ = 1.0;
   std::array<double, 3> origin_{};
+  std::size_t occupied_ = 0;
   std::vector<std::int32_t> order_;
   std::vector<std::vector<Bucket>> tables_;  ///< one per range, two thirds full, linear probing
 };

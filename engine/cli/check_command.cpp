@@ -14,9 +14,11 @@
 #include "engine/cli/probe_check.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/start_warnings.hpp"
+#include "engine/cli/subject.hpp"
 #include "engine/cli/trial.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/dilation_note.hpp"
+#include "engine/particles/shapes.hpp"
 #include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
@@ -38,25 +40,34 @@ int lattice_neighbours(const Scene& scene) {
   return count;
 }
 
-Json summary(const Simulation& simulation) {
-  const Scene& scene = simulation.scene();
-  const std::vector<double> material = simulation.field("material");
-  std::vector<std::size_t> count(scene.materials.size());
-  for (const double m : material) ++count.at(static_cast<std::size_t>(m));
+/// As many as there are, rounded to three digits where that is only about how many.
+std::size_t shown(double count, bool about) {
+  const double digit =
+      about && count > 0.0 ? std::pow(10.0, std::floor(std::log10(count)) - 2.0) : 1.0;
+  return static_cast<std::size_t>(std::round(count / digit) * digit);
+}
+
+Json summary(const Scene& scene, const Subject& subject) {
+  const Simulation& simulation = subject.simulation;
+  // Walls are as many layers deep at any spacing.
+  const double walls = static_cast<double>(simulation.wall_count()) *
+                       std::pow(simulation.scene().spacing / scene.spacing, scene.dimension - 1);
   Json json{{"title", scene.title},
             {"file", scene.file},
             {"dimension", scene.dimension},
             {"preset", scene.numerics.preset},
-            {"particles", simulation.soil_count()},
-            {"wall_particles", simulation.wall_count()},
+            {"particles", shown(subject.total, subject.coarser)},
+            {"wall_particles", shown(walls, subject.coarser)},
             {"spacing", scene.spacing},
-            {"smoothing_length", simulation.smoothing_length()},
+            {"measured_at_spacing", simulation.scene().spacing},
+            {"smoothing_length", scene.numerics.smoothing_ratio * scene.spacing},
             {"neighbours", lattice_neighbours(scene)},
             {"lattice_moment", simulation.lattice_moment()},
             {"isa", simulation.isa()},
             {"threads", simulation.threads()},
             {"materials", Json::array()},
             {"stages", Json::array()},
+            {"probes", Json::array()},
             {"features", Json::array()},
             {"warnings", warnings(scene)},
             {"notes", Json::array()}};
@@ -66,7 +77,7 @@ Json summary(const Simulation& simulation) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     json["materials"].push_back({{"name", scene.materials[m].name},
                                  {"model", scene.materials[m].model},
-                                 {"particles", count[m]},
+                                 {"particles", shown(subject.particles[m], subject.coarser)},
                                  {"k0", k0_of(scene, scene.materials[m])}});
   }
   for (const Stage& stage : scene.stages) {
@@ -74,6 +85,14 @@ Json summary(const Simulation& simulation) {
                               {"until", stage.until == StageEnd::rest ? "rest" : "duration"},
                               {"duration", stage.duration},
                               {"strength_reduction", stage.strength_reduction}});
+  }
+  for (const ProbeParticle& probe : simulation.probe_particles()) {
+    if (subject.coarser) break;  // on the scene's own lattice they follow others
+    json["probes"].push_back({{"name", probe.probe},
+                              {"particle", probe.particle},
+                              {"start", probe.start},
+                              {"distance", probe.distance},
+                              {"tied", probe.tied}});
   }
   for (const UsedFeature& feature : simulation.features()) {
     json["features"].push_back(
@@ -107,15 +126,32 @@ std::string origin(const Forecast& forecast) {
                      forecast.rehearsal_spacing);
 }
 
-void print(const Simulation& simulation, const Json& json, const Trial& trial,
+void print_probes(const Scene& scene, const Simulation& simulation) {
+  if (scene.probes.empty() || scene.spacing != simulation.scene().spacing) return;
+  fmt::print("\nprobes\n");
+  for (const ProbeParticle& probe : simulation.probe_particles()) {
+    fmt::print("  {:<20} follows particle {} at {}, {:.3g} m away{}\n", probe.probe, probe.particle,
+               point_text(probe.start, scene.dimension), probe.distance,
+               probe.tied > 1 ? fmt::format("; a tie of {}, decided by rule", probe.tied) : "");
+  }
+}
+
+void print(const Scene& scene, const Subject& subject, const Json& json, const Trial& trial,
            const Forecast& forecast) {
-  const Scene& scene = simulation.scene();
+  const Simulation& simulation = subject.simulation;
   line("scene", fmt::format("{} ({})", scene.title.empty() ? "untitled" : scene.title, scene.file));
   line("dimension", scene.dimension == 2 ? "2, plane strain" : "3");
-  line("particles",
-       fmt::format("{} soil, {} wall", simulation.soil_count(), simulation.wall_count()));
+  line("particles", fmt::format("{}{} soil, {} wall", subject.coarser ? "about " : "",
+                                json["particles"].get<std::size_t>(),
+                                json["wall_particles"].get<std::size_t>()));
   line("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.spacing,
-                              simulation.smoothing_length()));
+                              scene.numerics.smoothing_ratio * scene.spacing));
+  if (subject.coarser) {
+    line("measured",
+         fmt::format("at a spacing of {:.3g} m, with {} particles, and scaled: more would "
+                     "take longer than seconds",
+                     simulation.scene().spacing, simulation.soil_count()));
+  }
   line("neighbours", fmt::format("{} per particle", lattice_neighbours(scene)));
   line("preset", scene.numerics.preset);
   line("machine", fmt::format("{}, {} threads", simulation.isa(), simulation.threads()));
@@ -153,6 +189,7 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial,
                    ? fmt::format(", strength reduced by {:g}", stage.strength_reduction)
                    : "");
   }
+  print_probes(scene, simulation);
   fmt::print("\n{:<30} {:<10} {}\n", "feature", "", "note");
   for (const UsedFeature& feature : simulation.features()) {
     fmt::print("{:<30} {:<10} {}\n", feature.name, feature.used ? "used" : "left out",
@@ -165,18 +202,35 @@ void print(const Simulation& simulation, const Json& json, const Trial& trial,
   if (!trial.failure.empty()) fmt::print("\nThe first steps already fail: {}\n", trial.failure);
 }
 
+/// A probe takes some 3000 steps.
+Json probe_of(const Scene& scene, const Subject& subject, const RunOptions& options) {
+  constexpr double most_probed = 12000;  // particles
+  const Scene probed = thinned(scene, subject.total, most_probed);
+  if (probed.spacing > subject.simulation.scene().spacing) {
+    try {
+      return probe(Simulation(probed, options));
+    } catch (const SceneError&) {  // too coarse for its shapes
+    }
+  }
+  return probe(subject.simulation);
+}
+
 }  // namespace
 
 int check_command(const CheckArguments& check) {
   const SceneArguments& arguments = check.scene;
-  Simulation simulation(load_scene(arguments), arguments.options);
-  Json json = summary(simulation);
-  if (check.probe) json["probe"] = probe(simulation);
-  const Trial trial = try_steps(simulation, 1.0);
-  const Forecast expected = forecast(simulation.scene(), arguments.options, trial);
+  const Scene scene = load_scene(arguments);
+  Subject subject = subject_of(scene, arguments.options);
+  Json json = summary(scene, subject);
+  if (check.probe) json["probe"] = probe_of(scene, subject, arguments.options);
+  const Trial trial = scaled(try_steps(subject.simulation, 1.0), subject, scene.spacing);
+  const Forecast expected = forecast(scene, arguments.options, trial);
   add_forecast(json, trial, expected);
-  if (arguments.json != "-") print(simulation, json, trial, expected);
-  if (check.costs) json["costs"] = costs(simulation.scene(), arguments.options);
+  if (arguments.json != "-") print(scene, subject, json, trial, expected);
+  if (check.costs) {
+    constexpr double most_timed = 50000;  // particles; a variant takes some 20 steps
+    json["costs"] = costs(thinned(scene, subject.total, most_timed), arguments.options);
+  }
   if (arguments.json != "-" && check.probe) print_probe(json["probe"]);
   if (arguments.json != "-" && check.costs) print_costs(json["costs"]);
   if (!arguments.json.empty()) write_text(arguments.json, json.dump(2) + "\n");

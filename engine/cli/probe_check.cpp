@@ -35,7 +35,7 @@ Json materials_of(const Scene& scene, double step_of_fastest) {
 Json probe(const Simulation& start) {
   Simulation simulation = start.clone();
   const Scene& scene = simulation.scene();
-  Json json;
+  Json json{{"spacing", scene.spacing}};
   std::string failure;
   try {
     for (int k = 0; k < probed_steps && !simulation.finished(); ++k) simulation.step();
@@ -62,8 +62,9 @@ Json probe(const Simulation& start) {
 }
 
 void print_probe(const Json& probed) {
-  fmt::print("\nprobe of {} steps, {:.3g} s each on average\n",
-             probed["steps"].get<std::uint64_t>(), probed["time_step"].get<double>());
+  fmt::print("\nprobe of {} steps, {:.3g} s each on average, at a spacing of {:.3g} m\n",
+             probed["steps"].get<std::uint64_t>(), probed["time_step"].get<double>(),
+             probed["spacing"].get<double>());
   for (const auto& [limit, count] : probed["step_limits"].items()) {
     if (count.get<std::uint64_t>() > 0)
       fmt::print("  set by {:<12} {:>5} steps\n", limit, count.get<std::uint64_t>());

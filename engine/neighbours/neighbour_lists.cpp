@@ -6,6 +6,7 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "engine/parallel.hpp"
@@ -23,12 +24,17 @@ struct Candidates {
   std::vector<std::int32_t> slots;
   std::vector<double> x, y, z;
 
-  void gather(const NeighbourSource& source, const std::array<double, 3>& low,
-              const std::array<double, 3>& high) {
+  /// The points of `source` in the cells that members begin .. end of `input` reach.
+  void gather(const NeighbourSource& source, const NeighbourLists::Input& input, std::int64_t begin,
+              std::int64_t end) {
     slots.clear();
     if (source.grid != nullptr) {
-      source.grid->collect(source.grid->cell_of(low[0], low[1], low[2]),
-                           source.grid->cell_of(high[0], high[1], high[2]), slots);
+      const CellBox box = reached(*source.grid, input, begin, end);
+      if (box.count() <= static_cast<double>(std::max(source.grid->occupied(), few_cells))) {
+        source.grid->collect(box, slots);
+      } else {
+        collect_around_each(*source.grid, input, begin, end);
+      }
       put_pages_together(source.first_record);
     }
     const std::size_t count = slots.size();
@@ -44,6 +50,43 @@ struct Candidates {
   }
 
  private:
+  /// A box of so many cells is looked through whatever is in it.
+  static constexpr std::size_t few_cells = 4096;
+
+  static CellBox reached(const CellGrid& grid, const NeighbourLists::Input& input,
+                         std::int64_t begin, std::int64_t end) {
+    const double* axes[3] = {input.points.x, input.points.y, input.points.z};
+    std::array<double, 3> low{}, high{};
+    for (std::size_t a = 0; a < static_cast<std::size_t>(input.dimension); ++a) {
+      const auto [least, most] = std::minmax_element(axes[a] + begin, axes[a] + end);
+      low[a] = *least - input.reach;
+      high[a] = *most + input.reach;
+    }
+    return grid.box_of(low, high);
+  }
+
+  /// Members that lie far apart would have a box of mostly empty cells between them: the cells
+  /// around each are as many as are needed, in the order in which the box would give them.
+  void collect_around_each(const CellGrid& grid, const NeighbourLists::Input& input,
+                           std::int64_t begin, std::int64_t end) {
+    cells_.clear();
+    for (std::int64_t k = begin; k < end; ++k) {
+      const CellBox box = reached(grid, input, k, k + 1);
+      CellIndex at{};
+      for (at[2] = box.low[2]; at[2] <= box.high[2]; ++at[2]) {
+        for (at[1] = box.low[1]; at[1] <= box.high[1]; ++at[1]) {
+          for (at[0] = box.low[0]; at[0] <= box.high[0]; ++at[0])
+            cells_.push_back({at[0] & cell_mask, at[1] & cell_mask, at[2] & cell_mask});
+        }
+      }
+    }
+    std::sort(cells_.begin(), cells_.end(), [](const CellIndex& a, const CellIndex& b) {
+      return std::tie(a[2], a[1], a[0]) < std::tie(b[2], b[1], b[0]);
+    });
+    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+    grid.collect(cells_, slots);
+  }
+
   /// Blocks of a list hold records of one page, and most superclusters see but one.
   void put_pages_together(std::int64_t first_record) {
     if (slots.empty()) return;
@@ -72,7 +115,8 @@ struct Candidates {
     std::int32_t begin = 0;
     std::vector<std::int32_t> slots;
   };
-  std::vector<Page> pages_;  ///< scratch
+  std::vector<Page> pages_;       ///< scratch
+  std::vector<CellIndex> cells_;  ///< scratch
 };
 
 /// Lists of one chunk of superclusters, before they are put behind each other.
@@ -111,16 +155,9 @@ class ChunkBuilder {
 
  private:
   void gather(std::int64_t begin, std::int64_t end) {
-    const double* axes[3] = {input_.points.x, input_.points.y, input_.points.z};
-    std::array<double, 3> low{}, high{};
-    for (int a = 0; a < input_.dimension; ++a) {
-      const auto [least, most] = std::minmax_element(axes[a] + begin, axes[a] + end);
-      low[a] = *least - input_.reach;
-      high[a] = *most + input_.reach;
-    }
-    soil_.gather(input_.soil, low, high);
-    images_.gather(input_.images, low, high);
-    walls_.gather(input_.walls, low, high);
+    soil_.gather(input_.soil, input_, begin, end);
+    images_.gather(input_.images, input_, begin, end);
+    walls_.gather(input_.walls, input_, begin, end);
   }
 
   /// Returns how many blocks the list takes.

@@ -71,6 +71,14 @@ Json json_of(const LostSoil& lost) {
   return json;
 }
 
+Json json_of(const ProbeParticle& probe) {
+  return {{"name", probe.probe},
+          {"particle", probe.particle},
+          {"start", probe.start},
+          {"distance", probe.distance},
+          {"tied", probe.tied}};
+}
+
 double norm(const double* v) { return std::hypot(v[0], v[1], v[2]); }
 
 Json verdict(const RunResults& results) {
@@ -180,6 +188,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"materials", Json::array()},
             {"retries", Json::array()},
             {"measures", Json::array()},
+            {"probes", Json::array()},
             {"stages", Json::array()},
             {"profile", Json::array()},
             {"numerics", json_of(scene.numerics)},
@@ -202,6 +211,8 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
                                {"reason", retry.reason}});
   }
   for (const Measure& measure : results.measures) json["measures"].push_back(json_of(measure));
+  for (const ProbeParticle& probe : simulation.probe_particles())
+    json["probes"].push_back(json_of(probe));
   for (const PhaseTime& time : simulation.profile())
     json["profile"].push_back({{"phase", time.phase}, {"wall_s", time.seconds}});
   for (const StageResult& stage : results.stages) {

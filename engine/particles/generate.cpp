@@ -48,8 +48,21 @@ class LatticeFill {
     if (!shapes_.empty()) lattice_ = {shapes_[0].minimum, scene.spacing};
   }
 
+  std::vector<double> estimate() {
+    std::vector<double> particles(scene_.materials.size(), 0.0);
+    for (std::size_t b = 0; b < shapes_.size(); ++b)
+      particles.at(scene_.bodies[b].material) += estimate(b);
+    return particles;
+  }
+
   SoilPoints fill() {
     double total = 0.0;
+    for (std::size_t b = 0; b < shapes_.size(); ++b) {
+      // Far too many need not be counted one by one.
+      total += estimate(b);
+      if (total > 2.0 * limit_) too_many(shapes_[b]);
+    }
+    total = 0.0;
     for (std::size_t b = 0; b < shapes_.size(); ++b) total += count(b, total);
     SoilPoints soil;
     const auto size = static_cast<std::size_t>(total);
@@ -98,6 +111,32 @@ class LatticeFill {
     if (!out.empty()) out.resize(kept + 1);
   }
 
+  /// About how many particles a body has that no earlier one owns.
+  double estimate(std::size_t body) {
+    constexpr double most_columns = 20000.0;
+    const ColumnShape& shape = shapes_[body];
+    const Sites xs = plan_sites(shape, 0), ys = plan_sites(shape, 1);
+    const auto across = static_cast<double>(ys.count());
+    const double columns = static_cast<double>(xs.count()) * across;
+    const double stride = std::max(1.0, columns / most_columns);
+    double total = 0.0;
+    for (double c = 0.5 * stride; c < columns; c += stride) {
+      const double i = std::floor(c / across), j = std::floor(c - i * across);
+      own_sites(body, lattice_.at(0, xs.first + static_cast<std::int64_t>(i)),
+                up_ == 1 ? 0.0 : lattice_.at(1, ys.first + static_cast<std::int64_t>(j)));
+      for (const Sites& sites : sites_) total += stride * static_cast<double>(sites.count());
+    }
+    return total;
+  }
+
+  /// Leaves in `sites_` the sites of a body's column that no earlier body owns.
+  void own_sites(std::size_t body, double x, double y) {
+    column_sites(shapes_[body], x, y, sites_);
+    for (std::size_t earlier = 0; earlier < body; ++earlier) {
+      if (covers(shapes_[earlier], x, y)) take_away(earlier, x, y);
+    }
+  }
+
   /// Particles of a body, overlaps with others included: all that can be known without storing any.
   double count(std::size_t body, double before) {
     const ColumnShape& shape = shapes_[body];
@@ -131,10 +170,7 @@ class LatticeFill {
     std::vector<Expression> velocity;
     for (const std::string& text : made_of.velocity_field) velocity.emplace_back(text, "xyz");
     for_each_column(shape, [&](double x, double y) {
-      column_sites(shape, x, y, sites_);
-      for (std::size_t earlier = 0; earlier < body; ++earlier) {
-        if (covers(shapes_[earlier], x, y)) take_away(earlier, x, y);
-      }
+      own_sites(body, x, y);
       for (const Sites& sites : sites_) {
         for (std::int64_t k = sites.first; k <= sites.last; ++k) {
           Vec3 position{x, y, 0.0};
@@ -199,6 +235,8 @@ class LatticeFill {
 };
 
 }  // namespace
+
+std::vector<double> estimate_particles(const Scene& scene) { return LatticeFill(scene).estimate(); }
 
 SoilPoints generate_soil(const Scene& scene) { return LatticeFill(scene).fill(); }
 

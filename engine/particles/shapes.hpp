@@ -6,14 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/particles/plane_cuts.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace scarp {
-
-struct Range {
-  double low = 0.0;
-  double high = 0.0;
-};
 
 /// A shape as the lattice fill sees it. Points on the surface, to a tolerance, count as inside, so
 /// that bodies which share a face leave no gap and mirrored shapes hold mirrored points.

@@ -89,6 +89,7 @@ Probe read_probe(const Value& item, int dimension) {
   probe.name = table.require("name", "\"crest\"").text();
   probe.at = read_vector(table.require("at", dimension == 2 ? "[1, 2]" : "[1, 2, 3]"), Unit::length,
                          dimension);
+  probe.line = item.line();
   return probe;
 }
 

@@ -156,7 +156,8 @@ struct Stage {
 
 struct Probe {
   std::string name;
-  Vec3 at{};  ///< follows the particle nearest to this point at the start
+  Vec3 at{};     ///< follows the particle nearest to this point at the start
+  int line = 0;  ///< where it begins in `Scene::file`; 0: made in code
 };
 
 struct Output {
@@ -194,10 +195,11 @@ struct Scene {
   int retries = 0;  ///< how often `scarp run` may go back and halve the time step
 };
 
-/// How a message about a body or wall begins: "slope.toml:19: key 'body[0]' = "; without file and
-/// line if it was made in code.
+/// How a message about a body, wall or probe begins: "slope.toml:19: key 'body[0]' = "; without
+/// file and line if it was made in code.
 std::string message_start(const Scene& scene, const Body& body);
 std::string message_start(const Scene& scene, const Wall& wall);
+std::string message_start(const Scene& scene, const Probe& probe);
 
 /// Horizontal over vertical stress of a material at rest: its own, else that of the scene, else
 /// nu/(1 - nu). Geostatic stress, stress diffusion and mirror images take it.

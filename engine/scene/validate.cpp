@@ -156,6 +156,9 @@ std::string message_start(const Scene& scene, const Body& body) {
 std::string message_start(const Scene& scene, const Wall& wall) {
   return start_of(scene, scene.walls, wall, "wall");
 }
+std::string message_start(const Scene& scene, const Probe& probe) {
+  return start_of(scene, scene.probes, probe, "probe");
+}
 
 double k0_of(const Scene& scene, const Material& material) {
   if (material.k0 >= 0.0) return material.k0;

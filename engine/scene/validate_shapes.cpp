@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/scene/expression.hpp"
+#include "engine/scene/outline.hpp"
 #include "engine/scene/scene_problem.hpp"
 #include "engine/scene/validate_parts.hpp"
 
@@ -39,6 +40,18 @@ void shape(const Polygon& polygon, int dimension, const std::string& path) {
   }
   rule(std::abs(area) > 1e-12 * size * size, key, fmt::format("{} points", p.size()),
        "the outline encloses no area. Try points that go round the body once.");
+  if (const auto crossing = self_crossing(p)) {
+    const auto edge = [&](std::size_t i) {
+      const auto &a = p[i], &b = p[(i + 1) % p.size()];
+      return fmt::format("[{:.9g}, {:.9g}] to [{:.9g}, {:.9g}]", a[0], a[1], b[0], b[1]);
+    };
+    throw SceneProblem(
+        key, fmt::format("{} points", p.size()),
+        fmt::format("the edges from {} and from {} cross at ({:.9g}, {:.9g}). Try points that go "
+                    "round the body once, in order.",
+                    edge(crossing->first), edge(crossing->second), crossing->at[0],
+                    crossing->at[1]));
+  }
   if (dimension != 3) return;
   point(polygon.extrude, path + ".extrude");
   ordered(polygon.extrude[0], polygon.extrude[1], path + ".extrude");

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/boundary/wall_gaps.hpp"
+#include "engine/particles/thin_places.hpp"
 #include "engine/scene/magnitudes.hpp"
 #include "kernels/constitutive/list.hpp"
 
@@ -84,6 +85,7 @@ std::vector<std::string> warnings(const Scene& scene) {
   }
   check_contrast(scene, found);
   for (std::string& gap : wall_gaps(scene)) found.push_back(std::move(gap));
+  for (std::string& place : thin_places(scene)) found.push_back(std::move(place));
   if (scene.numerics.plasticity == Plasticity::rate_corrected &&
       scene.numerics.integrator == Integrator::verlet) {
     found.emplace_back(

@@ -6,10 +6,8 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
-#include <fmt/format.h>
-
-#include "engine/errors.hpp"
 #include "engine/parallel.hpp"
 
 namespace scarp {
@@ -45,6 +43,9 @@ float position_bits(double steps) {
   return std::bit_cast<float>(static_cast<std::int32_t>(std::lrint(steps)));
 }
 
+/// Above every record.
+constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+
 /// Where padding is put: further from any particle than the support, and so that no difference
 /// overflows.
 constexpr double far_steps = 2.0 * position_reach / position_step;
@@ -59,7 +60,7 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
   // The first record is never padding, and any soil particle serves as origin.
   const double* origin = view.records + record_x;
   const auto convert = [&](std::int64_t begin, std::int64_t end) {
-    bool fit = true;
+    std::int64_t first = none;
     for (std::int64_t k = begin; k < end; ++k) {
       const double* from = view.records + k * record_size;
       float* to = records_.data() + k * record_size;
@@ -67,22 +68,18 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
       for (int a = 0; a < 3; ++a) {
         const double offset = from[record_x + a] - origin[a];
         const bool fits = std::fabs(offset) < position_reach;
-        fit = fit && (fits || padding);
+        if (!fits && !padding) first = std::min(first, k);
         to[record_x + a] = position_bits(padding ? far_steps : fits ? offset / position_step : 0.0);
       }
       for (int slot = record_volume; slot < record_size; ++slot)
         to[slot] = static_cast<float>(from[slot]);
     }
-    return fit;
+    return first;
   };
-  const bool fit = parallel_reduce(threads, count, particle_chunk, true, convert,
-                                   [](bool& all, bool part) { all = all && part; });
-  if (!fit) {
-    throw Error(fmt::format(
-        "mixed precision: a particle is more than {:.0f} smoothing lengths from another, further "
-        "than its positions reach. Try precision = \"double\".",
-        position_reach));
-  }
+  const std::int64_t first =
+      parallel_reduce(threads, count, particle_chunk, none, convert,
+                      [](std::int64_t& all, std::int64_t part) { all = std::min(all, part); });
+  out_of_reach_ = first < none ? std::optional(first) : std::nullopt;
   PairSweepView<float> out{};
   if (view.tension_records != nullptr) {
     const std::int64_t size = count * tension_record_size;

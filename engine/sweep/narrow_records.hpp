@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/particles/aligned_vector.hpp"
 #include "kernels/particle_view.hpp"
@@ -13,14 +14,18 @@ namespace scarp {
 class NarrowRecords {
  public:
   /// The view in single precision, its records copied from records 0 .. far_record; outputs stay
-  /// double. Accuracy: positions to 2^-19 h, all else to 2^-24 of itself. Errors: Error if a
-  /// particle is further from the first than positions reach, 2048 h.
+  /// double. Accuracy: positions to 2^-19 h, all else to 2^-24 of itself. Pre: afterwards
+  /// `out_of_reach` has to be asked.
   kernels::PairSweepView<float> narrow(int threads, const kernels::PairSweepView<double>& view,
                                        std::int64_t far_record);
+  /// The first record of the last call that was further from record 0 than positions reach, 2048 h,
+  /// along an axis; none: the view may be used.
+  std::optional<std::int64_t> out_of_reach() const { return out_of_reach_; }
   std::size_t bytes() const;
 
  private:
   AlignedVector<float> records_, tension_records_;
+  std::optional<std::int64_t> out_of_reach_;
 };
 
 }  // namespace scarp

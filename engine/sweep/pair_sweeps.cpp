@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Runs the chosen pair sweep over all clusters, in chunks.
+#include <cmath>
+#include <cstdlib>
+
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
+#include "engine/watch/watch.hpp"
 
 namespace scarp {
 namespace {
@@ -14,13 +18,39 @@ void run(const State& state, kernels::PairSweep<Real> sweep,
                   [&](std::int64_t begin, std::int64_t end) { sweep(view, begin, end); });
 }
 
+/// Soil that has flown further than positions of mixed precision reach; `record` may be an image or
+/// a wall's, whose own place is then named.
+Instability flown_out_of_reach(State& state, std::int64_t record) {
+  const double h = state.smoothing_length;
+  const bool soil = record < state.particles.slots();
+  Instability found = at_particle(state, soil ? record : 0);
+  if (!soil) found.particle = -1;
+  double furthest = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double place = state.records.record(record)[kernels::record_x + a] * h;
+    found.position[static_cast<std::size_t>(a)] = place;
+    furthest =
+        std::max(furthest, std::abs(place - state.records.record(0)[kernels::record_x + a] * h));
+  }
+  found.field = "distance from other soil";
+  found.unit = "m";
+  found.value = furthest;
+  found.limit = kernels::position_reach * h;
+  found.cause = "grains that fly or fall away: positions of mixed precision reach no further";
+  found.advice = "precision = \"double\", or walls that hold the soil";
+  return found;
+}
+
 void run(State& state, const ChosenSweep& sweep, const kernels::PairSweepView<double>& view) {
   if (sweep.mixed == nullptr) {
     run(state, sweep.in_double, view);
-  } else {
-    run(state, sweep.mixed,
-        state.narrow_records.narrow(state.threads, view, state.records.far_record()));
+    return;
   }
+  const kernels::PairSweepView<float> narrow =
+      state.narrow_records.narrow(state.threads, view, state.records.far_record());
+  if (const auto record = state.narrow_records.out_of_reach())
+    throw SimulationInstability(flown_out_of_reach(state, *record));
+  run(state, sweep.mixed, narrow);
 }
 
 /// Tension records are only needed where a force is summed; while nothing is in tension the sweep

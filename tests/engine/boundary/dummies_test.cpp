@@ -477,9 +477,26 @@ TEST(WallClearanceTest, SoilBehindAReversedLineIsNamed) {
                   "key 'wall[0]' = 'wall': the soil particle at (0.25, 0.25) lies 0.25 m behind"),
               std::string::npos)
         << message;
+    EXPECT_NE(message.find("Try to reverse the order"), std::string::npos) << message;
   }
   scene.walls[0].facets = line_facets({{0, 0}, {10, 0}});
   EXPECT_NO_THROW(check_wall_clearance(scene, soil));
+}
+
+TEST(WallClearanceTest, SoilOnBothSidesOfALineIsToldHowASheetPileIsDrawn) {
+  for (const bool reversed : {false, true}) {
+    Scene scene = reversed ? line_scene({{5, 4}, {5, 1}}) : line_scene({{5, 1}, {5, 4}});
+    scene.bodies = {{0, Box{{0, 0, 0}, {10, 5, 0}}, {}}};
+    try {
+      check_wall_clearance(scene, generate_soil(scene));
+      FAIL() << "no error";
+    } catch (const SceneError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("a wall has soil on one side only"), std::string::npos) << message;
+      EXPECT_NE(message.find("sheet pile as a slot of 1 m"), std::string::npos) << message;
+      EXPECT_EQ(message.find("reverse"), std::string::npos) << message;
+    }
+  }
 }
 
 TEST(WallClearanceTest, SoilOnTheOtherSideOfAThinWallIsClear) {

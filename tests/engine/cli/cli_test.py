@@ -227,6 +227,47 @@ cfl = 1.5
         self.assertEqual(done.returncode, 3)
         self.assertIn("UNSTABLE at cfl = 1.5", done.stdout)
 
+    def test_check_of_a_scene_with_millions_of_particles_measures_on_a_coarser_lattice(self):
+        (self.folder / "long.toml").write_text(SCENE.replace("[[0, 0], [4, 0], [4, 2], [0, 2]]",
+                                                             "[[0, 0], [4, 0], [1e6, 2], [0, 2]]"))
+        done = self.scarp("check", "long.toml", "--json", "check.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("measured          at a spacing of", done.stdout)
+        numbers = json.loads((self.folder / "check.json").read_text())
+        # Half of length times height over the square of the spacing.
+        self.assertAlmostEqual(numbers["particles"], 4.0e6, delta=4e4)
+        self.assertEqual(numbers["spacing"], 0.5)
+        self.assertGreater(numbers["measured_at_spacing"], 1.5)
+
+    def test_check_and_results_say_which_particle_a_probe_follows(self):
+        (self.folder / "column.toml").write_text(COLUMN.replace('duration = "1 s"', 'duration = "10 ms"'))
+        done = self.scarp("check", "column.toml", "--json", "check.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("a tie of 2, decided by rule", done.stdout)
+        self.scarp("run", "column.toml", "-o", "out", "--quiet")
+        check, run = (json.loads((self.folder / name).read_text()) for name in ("check.json", "out/results.json"))
+        self.assertEqual(check["probes"], run["probes"])
+        probe = run["probes"][0]
+        # The soil is symmetric: of the two the one with the lower x.
+        self.assertEqual((probe["name"], probe["start"], probe["tied"]), ("top", [0.4375, 3.9375, 0.0], 2))
+        (self.folder / "far.toml").write_text(COLUMN.replace("at = [0.5, 4]", "at = [0.5, 5]"))
+        done = self.scarp("check", "far.toml")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("more than two spacings", done.stderr)
+
+    def test_grains_beyond_the_reach_of_mixed_precision_end_a_run_as_others_do(self):
+        far = SCENE.replace('[[wall]]', """velocity = [-400, 0]
+[[body]]
+material = "rock"
+box = {min = [1210, 0], max = [1214, 2]}
+[[wall]]""").replace("duration = 0.04", "duration = 1").replace("gravity = [0.0, -9.81]", "gravity = [0, 0]")
+        (self.folder / "far.toml").write_text(far.replace("[[material]]", '[numerics]\nprecision = "mixed"\n[[material]]', 1))
+        done = self.scarp("run", "far.toml", "--quiet", "-o", "out")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        results = json.loads((self.folder / "out" / "results.json").read_text())
+        self.assertFalse(results["complete"])
+        self.assertEqual(results["instability"]["field"], "distance from other soil")
+
     def test_errors_of_the_scene_exit_1_and_name_it(self):
         (self.folder / "bad.toml").write_text(SCENE.replace("0.3", "0.7"))
         for scene in ("missing.toml", "bad.toml"):

@@ -307,5 +307,20 @@ TEST(GenerateSoilTest, TooSmallASpacingIsRefusedBeforeMemoryIsTaken) {
   }
 }
 
+TEST(EstimateParticlesTest, IsExactWhereColumnsAreFewAndNearWhereTheyAreMany) {
+  Scene scene =
+      scene_of(2, 0.25, {{1, Box{{2, 2, 0}, {6, 4, 0}}, {}}, {0, Polygon{slope, {}}, {}}});
+  scene.materials.resize(3);
+  const SoilPoints soil = generate_soil(scene);
+  std::vector<double> counted(3, 0.0);
+  for (const std::size_t material : soil.material) ++counted[material];
+  EXPECT_EQ(estimate_particles(scene), counted);
+  // 400,000 columns, and then more than any machine holds: half of width times height over dx^2.
+  scene.bodies = {{0, Polygon{{{0, 0}, {32, 0}, {1e5, 10}, {0, 10}}, {}}, {}}};
+  EXPECT_NEAR(estimate_particles(scene)[0], 0.5 * (1e5 + 32) * 10 / 0.0625, 1e4);
+  scene.bodies = {{0, Box{{0, 0, 0}, {1e9, 1e9, 0}}, {}}};
+  EXPECT_NEAR(estimate_particles(scene)[0], 1.6e19, 1e15);
+}
+
 }  // namespace
 }  // namespace scarp

@@ -112,9 +112,10 @@ Scene longer_scene(const std::string& file, const RunRecord& record, const Scene
 bool go_on_is_needed(const fs::path& folder, bool more_stages) {
   if (more_stages || !run_is_finished(folder)) return true;
   fmt::print(stderr,
-             "{}: the run is complete; there is nothing to go on with. More stages: scarp resume "
+             "{}: the run is {}; there is nothing to go on with. More stages: scarp resume "
              "{} --scene LONGER.toml\n",
-             folder.string(), folder.string());
+             folder.string(), run_lost_soil(folder) ? "over, but lost soil" : "complete",
+             folder.string());
   return false;
 }
 
@@ -148,7 +149,7 @@ int resume_command(const ResumeArguments& arguments) {
     more_stages = run.scene.stages.size() > stages;
   }
   put_edited_copy_aside(record, run.folder, arguments.scene);
-  if (!go_on_is_needed(run.folder, more_stages)) return ok;
+  if (!go_on_is_needed(run.folder, more_stages)) return run_lost_soil(run.folder) ? lost_soil : ok;
   if (more_stages && run_is_finished(run.folder) && checkpoints_in(run.folder).empty()) {
     throw CheckpointError(fmt::format(
         "'{}': the run left no checkpoint of its end, from which more stages could go on. Try "

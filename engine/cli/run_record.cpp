@@ -92,6 +92,10 @@ bool run_is_finished(const std::filesystem::path& folder) {
   return results_of(folder).value("finished", Json()) == true;
 }
 
+bool run_lost_soil(const std::filesystem::path& folder) {
+  return results_of(folder).value(Json::json_pointer("/lost_soil/particles"), 0) > 0;
+}
+
 bool run_has_ended(const std::filesystem::path& folder) {
   return run_is_finished(folder) || results_of(folder).value("instability", Json()).is_object();
 }

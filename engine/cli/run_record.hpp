@@ -31,7 +31,10 @@ RunRecord read_record(const std::filesystem::path& folder);
 /// Whether results.json says that the run has reached its end, be it with all its soil or not.
 bool run_is_finished(const std::filesystem::path& folder);
 
-/// ... or became unstable, which going on would only repeat.
+/// Whether results.json says that the run lost soil.
+bool run_lost_soil(const std::filesystem::path& folder);
+
+/// Whether the run has reached its end or became unstable, which going on would only repeat.
 bool run_has_ended(const std::filesystem::path& folder);
 
 /// The first value in which two scenes differ, outputs included, as "spacing = 1, here spacing =

@@ -147,8 +147,8 @@ class CliTest(unittest.TestCase):
         self.assertEqual((rows[0][-1], rows[1][-1]), ("lost_particles", "0"))
         self.assertEqual(int(rows[-1][-1]), lost["particles"])
         again = self.scarp("resume", "out/leak")  # its end has been reached
-        self.assertEqual(again.returncode, 0, again.stderr)
-        self.assertIn("nothing to go on with", again.stderr)
+        self.assertEqual(again.returncode, 4, again.stderr)
+        self.assertIn("lost soil; there is nothing to go on with", again.stderr)
 
     def test_check_says_what_the_scene_is(self):
         done = self.scarp("check", "block.toml", "--json", "check.json")

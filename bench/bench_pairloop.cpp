@@ -15,7 +15,7 @@
 #include "bench/block.hpp"
 #include "bench/fma_peak.hpp"
 #include "bench/pair_flops.hpp"
-#include "engine/parallel.hpp"
+#include "engine/team.hpp"
 #include "kernels/smoothing/list.hpp"
 
 namespace scarp::bench {

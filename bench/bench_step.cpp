@@ -12,7 +12,7 @@
 #include "bench/bench_main.hpp"
 #include "bench/block.hpp"
 #include "bench/real_states.hpp"
-#include "engine/parallel.hpp"
+#include "engine/team.hpp"
 
 namespace scarp::bench {
 namespace {

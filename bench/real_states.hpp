@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "engine/checkpoint/snapshot.hpp"
-#include "engine/parallel.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "engine/simulation.hpp"
+#include "engine/team.hpp"
 
 namespace scarp::bench {
 

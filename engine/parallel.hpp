@@ -32,7 +32,10 @@ Result parallel_reduce(int threads, std::int64_t count, std::int64_t chunk, Resu
 }
 
 /// What OpenMP would take: OMP_NUM_THREADS, else every core.
-inline int default_threads() { return omp_get_max_threads(); }
+inline int offered_threads() { return omp_get_max_threads(); }
+
+/// Cores that the process was given when it began.
+inline int offered_cores() { return omp_get_num_procs(); }
 
 /// Particles per chunk: a multiple of every vector and cluster size, small enough for the
 /// second-level cache.

@@ -226,12 +226,28 @@ void place_walls(State& state) {
   state.lists_valid = false;
 }
 
+namespace {
+
+/// Tests ask for more threads than there are cores, to see that results do not depend on them.
+Team make_team(const RunOptions& options) {
+  constexpr int most_oversubscribed = 16;
+  const bool checked =
+      !options.oversubscribe || options.threads < 0 || options.threads > most_oversubscribed;
+  const std::string complaint = checked ? complaint_about_threads(options.threads) : "";
+  if (!complaint.empty()) throw SceneError(complaint);
+  return options.threads > 0 ? Team(options.threads, true) : Team(default_threads(), false);
+}
+
+}  // namespace
+
 State make_state(Scene scene, const RunOptions& options) {
   validate(scene);
   State state;
   state.scene = std::move(scene);
   close_narrow_gaps(state.scene);
-  state.threads = options.threads > 0 ? options.threads : default_threads();
+  state.options = options;
+  state.team = make_team(options);
+  state.threads = state.team.threads();
   const Numerics& n = state.scene.numerics;
   const int dimension = state.scene.dimension;
   state.kernels = choose_kernels(state.scene, choose_table(options));

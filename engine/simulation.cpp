@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -67,6 +68,17 @@ double noise(std::uint64_t key) {
   return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-52 - 1.0;
 }
 
+/// What a Simulation owns, unless it has been moved from.
+template <class Impl>
+Impl& owned(const std::unique_ptr<Impl>& impl) {
+  if (!impl) {
+    throw Error(
+        "this Simulation has been moved from and has no state any more. Try the one it was moved "
+        "to.");
+  }
+  return *impl;
+}
+
 }  // namespace
 
 struct Simulation::Impl {
@@ -95,7 +107,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 const StepReport& Simulation::step() {
-  State& state = impl_->state;
+  State& state = owned(impl_).state;
   if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
   if (!state.stage.started) {
     enter_stage(state, 0);
@@ -103,25 +115,30 @@ const StepReport& Simulation::step() {
     enter_stage(state, state.stage.index + 1);
   }
   using Clock = std::chrono::steady_clock;
-  Clock::time_point before = Clock::now();
-  double* seconds = impl_->phase_seconds.data();
+  const Clock::time_point began = Clock::now();
+  const std::uint64_t rebuilds = state.rebuilds;
+  state.threads = state.team.threads();
+  Clock::time_point before = began;
+  double* seconds = owned(impl_).phase_seconds.data();
   for (const Phase& phase : phases_of(state.scene.numerics.integrator)) {
     phase.run(state);
     const Clock::time_point after = Clock::now();
     *seconds++ += std::chrono::duration<double>(after - before).count();
     before = after;
   }
+  state.team.took(std::chrono::duration<double>(before - began).count(),
+                  state.rebuilds != rebuilds);
   return state.report;
 }
 
 bool Simulation::finished() const {
-  const State& state = impl_->state;
+  const State& state = owned(impl_).state;
   return state.stage.ended && state.stage.index + 1 == state.scene.stages.size();
 }
-void Simulation::end_stage() { impl_->state.stage.ended = true; }
+void Simulation::end_stage() { owned(impl_).state.stage.ended = true; }
 
 void Simulation::set_following_stages(std::vector<Stage> stages) {
-  State& state = impl_->state;
+  State& state = owned(impl_).state;
   Scene changed = state.scene;
   changed.stages.resize(state.stage.index + 1);
   changed.stages.insert(changed.stages.end(), stages.begin(), stages.end());
@@ -129,11 +146,19 @@ void Simulation::set_following_stages(std::vector<Stage> stages) {
   state.scene = std::move(changed);
 }
 
-void Simulation::set_step_factor(double factor) { impl_->state.clock.step_factor = factor; }
-double Simulation::step_factor() const { return impl_->state.clock.step_factor; }
+void Simulation::set_step_factor(double factor) {
+  if (!(factor > 0.0) || !std::isfinite(factor)) {
+    throw Error(fmt::format(
+        "set_step_factor({}): a time step times that is none. Try a number above 0.", factor));
+  }
+  owned(impl_).state.clock.step_factor = factor;
+}
+double Simulation::step_factor() const { return owned(impl_).state.clock.step_factor; }
 
 void Simulation::perturb(double speed) {
-  State& state = impl_->state;
+  if (!std::isfinite(speed))
+    throw Error(fmt::format("perturb({}): no speed. Try a finite number of m/s.", speed));
+  State& state = owned(impl_).state;
   const auto& ids = state.particles.ids();
   for (int a = 0; a < state.scene.dimension; ++a) {
     double* velocity = state.particles.component(Field::velocity, a);
@@ -149,27 +174,28 @@ Simulation Simulation::clone() const {
   Simulation copy(*this);
   return copy;
 }
-Simulation::Simulation(const Simulation& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+Simulation::Simulation(const Simulation& other)
+    : impl_(std::make_unique<Impl>(owned(other.impl_))) {}
 
-Snapshot Simulation::snapshot() const { return take_snapshot(impl_->state); }
+Snapshot Simulation::snapshot() const { return take_snapshot(owned(impl_).state); }
 
-const Scene& Simulation::scene() const { return impl_->state.scene; }
-const StepReport& Simulation::last_step() const { return impl_->state.report; }
-std::size_t Simulation::stage_index() const { return impl_->state.stage.index; }
-bool Simulation::stage_ended() const { return impl_->state.stage.ended; }
-bool Simulation::stage_reached_rest() const { return impl_->state.stage.reached_rest; }
+const Scene& Simulation::scene() const { return owned(impl_).state.scene; }
+const StepReport& Simulation::last_step() const { return owned(impl_).state.report; }
+std::size_t Simulation::stage_index() const { return owned(impl_).state.stage.index; }
+bool Simulation::stage_ended() const { return owned(impl_).state.stage.ended; }
+bool Simulation::stage_reached_rest() const { return owned(impl_).state.stage.reached_rest; }
 
 std::size_t Simulation::soil_count() const {
-  return static_cast<std::size_t>(impl_->state.particles.count());
+  return static_cast<std::size_t>(owned(impl_).state.particles.count());
 }
 std::size_t Simulation::wall_count() const {
-  return static_cast<std::size_t>(impl_->state.walls.count());
+  return static_cast<std::size_t>(owned(impl_).state.walls.count());
 }
 
 std::vector<FieldInfo> Simulation::fields() const {
   std::vector<FieldInfo> infos;
   for (const FieldRow& field : field_list) {
-    if (field.output && impl_->state.particles.has(field.field)) {
+    if (field.output && owned(impl_).state.particles.has(field.field)) {
       infos.push_back({field.name, field.unit, component_count(field.rank), field.description});
     }
   }
@@ -178,9 +204,9 @@ std::vector<FieldInfo> Simulation::fields() const {
 }
 
 std::vector<double> Simulation::field(std::string_view name) const {
-  const State& state = impl_->state;
+  const State& state = owned(impl_).state;
   const ParticleBuffers& p = state.particles;
-  const std::vector<std::int64_t> slots = impl_->slot_of_id();
+  const std::vector<std::int64_t> slots = owned(impl_).slot_of_id();
   const auto gather = [&](int components, auto&& value) {
     std::vector<double> out(slots.size() * static_cast<std::size_t>(components));
     for (std::size_t id = 0; id < slots.size(); ++id) {
@@ -224,7 +250,7 @@ std::vector<double> Simulation::field(std::string_view name) const {
 }
 
 std::vector<double> Simulation::wall_positions() const {
-  const Walls& walls = impl_->state.walls;
+  const Walls& walls = owned(impl_).state.walls;
   std::vector<double> out;
   for (std::int64_t k = 0; k < walls.count(); ++k) {
     for (const double* axis : {walls.points().x, walls.points().y, walls.points().z})
@@ -234,20 +260,24 @@ std::vector<double> Simulation::wall_positions() const {
 }
 
 void Simulation::require_sound() const {
-  if (const std::optional<Instability> found = inspect(impl_->state))
+  if (const std::optional<Instability> found = inspect(owned(impl_).state))
     throw SimulationInstability(*found);
 }
 
-const LostSoil& Simulation::lost_soil() const { return impl_->state.lost; }
-EnergyBalance Simulation::energy() const { return energy_balance(impl_->state); }
+const LostSoil& Simulation::lost_soil() const { return owned(impl_).state.lost; }
+EnergyBalance Simulation::energy() const { return energy_balance(owned(impl_).state); }
 std::vector<WallReaction> Simulation::wall_reactions() const {
-  return scarp::wall_reactions(impl_->state);
+  return scarp::wall_reactions(owned(impl_).state);
 }
 
 ProbeSample Simulation::probe(std::size_t index) const {
-  const State& state = impl_->state;
+  const State& state = owned(impl_).state;
+  if (index >= state.probe_particles.size()) {
+    throw Error(fmt::format("probe({}): the scene has {} probes. Try an index below that.", index,
+                            state.probe_particles.size()));
+  }
   const auto& ids = state.particles.ids();
-  const std::int64_t followed = state.probe_particles.at(index).particle;
+  const std::int64_t followed = state.probe_particles[index].particle;
   const auto slot = std::find(ids.begin(), ids.end(), followed) - ids.begin();
   const auto read = [&](Field field, int c) {
     const double* array = state.particles.component(field, c);
@@ -268,28 +298,31 @@ ProbeSample Simulation::probe(std::size_t index) const {
 }
 
 const std::vector<ProbeParticle>& Simulation::probe_particles() const {
-  return impl_->state.probe_particles;
+  return owned(impl_).state.probe_particles;
 }
 
-double Simulation::smoothing_length() const { return impl_->state.smoothing_length; }
-double Simulation::acoustic_cfl_limit() const { return impl_->state.acoustic_cfl_limit; }
-double Simulation::lattice_moment() const { return impl_->state.lattice_moment; }
-std::string Simulation::isa() const { return impl_->state.kernels.table->name; }
-int Simulation::threads() const { return impl_->state.threads; }
+double Simulation::smoothing_length() const { return owned(impl_).state.smoothing_length; }
+double Simulation::acoustic_cfl_limit() const { return owned(impl_).state.acoustic_cfl_limit; }
+double Simulation::lattice_moment() const { return owned(impl_).state.lattice_moment; }
+std::string Simulation::isa() const { return owned(impl_).state.kernels.table->name; }
+int Simulation::threads() const { return owned(impl_).state.team.most(); }
+const RunOptions& Simulation::options() const { return owned(impl_).state.options; }
 std::size_t Simulation::memory_bytes() const {
-  const State& s = impl_->state;
+  const State& s = owned(impl_).state;
   return s.particles.bytes() + s.records.bytes() + s.narrow_records.bytes() + s.walls.bytes() +
          s.images.bytes() + s.lists.bytes() + s.wall_lists.bytes() + s.soil_cells.bytes() +
          s.image_cells.bytes() + s.wall_cells.bytes();
 }
-std::uint64_t Simulation::rebuild_count() const { return impl_->state.rebuilds; }
-std::uint64_t Simulation::density_bound_count() const { return impl_->state.density_bounds; }
-const StepLimitCounts& Simulation::step_limit_counts() const { return impl_->state.limit_counts; }
-std::uint64_t Simulation::face_hold_count() const { return impl_->state.holds; }
+std::uint64_t Simulation::rebuild_count() const { return owned(impl_).state.rebuilds; }
+std::uint64_t Simulation::density_bound_count() const { return owned(impl_).state.density_bounds; }
+const StepLimitCounts& Simulation::step_limit_counts() const {
+  return owned(impl_).state.limit_counts;
+}
+std::uint64_t Simulation::face_hold_count() const { return owned(impl_).state.holds; }
 std::vector<PhaseTime> Simulation::profile() const {
   std::vector<PhaseTime> times;
-  const double* seconds = impl_->phase_seconds.data();
-  for (const Phase& phase : phases_of(impl_->state.scene.numerics.integrator)) {
+  const double* seconds = owned(impl_).phase_seconds.data();
+  for (const Phase& phase : phases_of(owned(impl_).state.scene.numerics.integrator)) {
     const auto known = std::find_if(times.begin(), times.end(), [&](const PhaseTime& time) {
       return time.phase == phase.name;
     });
@@ -301,6 +334,6 @@ std::vector<PhaseTime> Simulation::profile() const {
   }
   return times;
 }
-std::vector<UsedFeature> Simulation::features() const { return used_features(impl_->state); }
+std::vector<UsedFeature> Simulation::features() const { return used_features(owned(impl_).state); }
 
 }  // namespace scarp

@@ -18,8 +18,11 @@ namespace scarp {
 
 /// How a run is carried out; nothing here changes the physics.
 struct RunOptions {
-  int threads = 0;  ///< 0: what OpenMP would take
+  /// 0: as many as pay at the moment, at most what OpenMP would take (see `Team`); else exactly
+  /// that many. Errors: SceneError if there are fewer cores.
+  int threads = 0;
   std::string isa;  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
+  bool oversubscribe = false;  ///< allows up to 16 threads on fewer cores: slow, for tests
 };
 
 /// Which bound set a time step (THEORY.md section 10): sound in the stiffest soil, approach faster
@@ -38,7 +41,8 @@ enum class StepLimit {
 inline constexpr const char* step_limit_names[]{"acoustic",  "approach", "force",     "viscous",
                                                 "diffusion", "growth",   "stage_end", "near_yield"};
 inline const char* name_of(StepLimit limit) {
-  return step_limit_names[static_cast<std::size_t>(limit)];
+  const auto index = static_cast<std::size_t>(limit);
+  return index < std::size(step_limit_names) ? step_limit_names[index] : "unknown";
 }
 /// How many steps each limit has set.
 using StepLimitCounts = std::array<std::uint64_t, std::size(step_limit_names)>;
@@ -133,7 +137,8 @@ struct PhaseTime {
 
 /// Owns the particles of one scene. Not safe for concurrent use of one object; two objects are
 /// independent. Errors: SceneError from the constructor (nothing is left behind),
-/// SimulationInstability from `step()` (state stays readable).
+/// SimulationInstability from `step()` (state stays readable), Error from every member of an object
+/// that has been moved from.
 class Simulation {
  public:
   explicit Simulation(Scene scene, const RunOptions& options = {});
@@ -154,11 +159,11 @@ class Simulation {
   /// Replaces the stages that follow the current one (a family of runs from one settled state).
   void set_following_stages(std::vector<Stage> stages);
   /// Multiplies every time step from now on in place of the factor before; 1 at the start. A
-  /// snapshot holds it. Pre: above 0.
+  /// snapshot holds it. Errors: Error unless above 0 and finite.
   void set_step_factor(double factor);
   double step_factor() const;
   /// Adds to each velocity pseudo-random components within +-`speed` [m/s], by the particles' ids
-  /// alone: noise in which an instability can grow.
+  /// alone: noise in which an instability can grow. Errors: Error unless finite.
   void perturb(double speed);
   /// An independent copy that goes on from here bit for bit.
   Simulation clone() const;
@@ -186,7 +191,7 @@ class Simulation {
   const LostSoil& lost_soil() const;
   EnergyBalance energy() const;
   std::vector<WallReaction> wall_reactions() const;
-  ProbeSample probe(std::size_t index) const;
+  ProbeSample probe(std::size_t index) const;  ///< Error for an index the scene does not have
   const std::vector<ProbeParticle>& probe_particles() const;
 
   double smoothing_length() const;
@@ -194,7 +199,8 @@ class Simulation {
   double acoustic_cfl_limit() const;
   double lattice_moment() const;  ///< M of the undisturbed lattice for this smoothing function
   std::string isa() const;        ///< the instruction set in use
-  int threads() const;
+  int threads() const;            ///< that a step may have
+  const RunOptions& options() const;
   std::size_t memory_bytes() const;           ///< state, records, walls, images, cells and lists
   std::uint64_t rebuild_count() const;        ///< of the neighbour lists so far
   std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far

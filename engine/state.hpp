@@ -15,6 +15,7 @@
 #include "engine/simulation.hpp"
 #include "engine/sweep/narrow_records.hpp"
 #include "engine/sweep/records.hpp"
+#include "engine/team.hpp"
 #include "kernels/isa/kernel_table.hpp"
 
 namespace scarp {
@@ -81,7 +82,9 @@ struct StepClock {
 
 struct State {
   Scene scene;
-  int threads = 1;
+  RunOptions options;
+  Team team;
+  int threads = 1;  ///< of this step
   ChosenKernels kernels;
   double smoothing_length = 0.0;
   double lattice_moment = 1.0;

@@ -14,6 +14,7 @@
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/units.hpp"
+#include "engine/team.hpp"
 #include "validation/case_list.hpp"
 #include "validation/error_time/command.hpp"
 #include "validation/report.hpp"
@@ -158,6 +159,17 @@ int report_command(const std::string& folder) {
   return ok;
 }
 
+void add_threads(CLI::App& command, int& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Threads, exactly; 0, the default, takes as many as pay at the moment")
+      ->check([](const std::string& text) {
+        int wanted = 0;
+        return CLI::detail::lexical_cast(text, wanted) ? complaint_about_threads(wanted)
+                                                       : std::string();
+      });
+}
+
 void add_error_time(CLI::App& command, ErrorTimeArguments& arguments) {
   command.add_option("cases", arguments.cases, "Names of cases or sets; default all that can");
   command
@@ -171,9 +183,7 @@ void add_error_time(CLI::App& command, ErrorTimeArguments& arguments) {
   command.add_option("--budget", arguments.budget,
                      "Begin no run that would not end within this, e.g. \"90 min\"");
   command.add_option("-o,--out", arguments.out, "Folder for error_time/; default out");
-  command
-      .add_option("--threads", arguments.options.run.threads, "Threads; 0 takes what OpenMP offers")
-      ->check(CLI::Range(0, 4096));
+  add_threads(command, arguments.options.run.threads);
   command.add_option("--isa", arguments.options.run.isa, "Instruction set: sse2, avx2, avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
   command.add_option("--json", arguments.json, "Write the sentences here, - for standard output");
@@ -184,8 +194,7 @@ void add_stability(CLI::App& command, StabilityArguments& arguments) {
   command.add_option("--axis", arguments.axis, "Only axes and groups whose name holds this");
   command.add_flag("--short", arguments.short_form, "Ends of the axes, few steps");
   command.add_option("-o,--out", arguments.out, "Folder for stability/; default out");
-  command.add_option("--threads", arguments.run.threads, "Threads; 0 takes what OpenMP offers")
-      ->check(CLI::Range(0, 4096));
+  add_threads(command, arguments.run.threads);
   command.add_option("--isa", arguments.run.isa, "Instruction set: sse2, avx2, avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
   command.add_option("--json", arguments.json, "Write the map here, - for standard output");
@@ -206,8 +215,7 @@ int run_program(int argc, char** argv) {
   CLI::Option* short_flag = run->add_flag("--short", arguments.short_form, "Coarse and quick");
   run->add_flag("--full", arguments.full, "Finer than the main form")->excludes(short_flag);
   run->add_option("-o,--out", options.out, "Folder for the cases' folders; default out");
-  run->add_option("--threads", options.run.threads, "Threads; 0 takes what OpenMP offers")
-      ->check(CLI::Range(0, 4096));
+  add_threads(*run, options.run.threads);
   run->add_option("--preset", options.preset, "Replace the scene's preset: modern, paper")
       ->check(CLI::IsMember({"modern", "paper"}));
   run->add_option("--precision", options.precision, "Arithmetic of the pair loop: double, mixed")

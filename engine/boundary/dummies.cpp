@@ -43,7 +43,8 @@ class DummyLayout {
         closest_(0.25 * scene.spacing - tolerance_),
         layers_(wall_layers(scene)),
         thickness_(reach_.thickness),
-        placed_(0.5 * spacing_ * (1.0 - 1e-6)) {
+        placed_(0.5 * spacing_ * (1.0 - 1e-6)),
+        most_(most_particles(scene)) {
     double sites = 0.0;
     for (std::size_t w = 0; w < scene.walls.size(); ++w) {
       for (const Facet& facet : scene.walls[w].facets) add_face(w, facet, sites);
@@ -94,13 +95,13 @@ class DummyLayout {
       }
     }
     if (face.no_slip) sites += FaceGrid::sites(facet, dimension_, spacing_, layers_);
-    if (sites > most_particles()) {
+    if (sites > most_) {
       throw SceneError(fmt::format(
           "{}'{}': with it the walls have more than {:.3g} dummy particles at spacing {} m, the "
-          "most "
-          "for this machine's {:.3g} GB of memory. Try a larger spacing or a smaller wall.",
-          message_start(scene, scene.walls[wall]), scene.walls[wall].name, most_particles(),
-          spacing_, 1e-9 * physical_memory()));
+          "most for the {:.3g} GB of memory that this process may use (control group and ulimit "
+          "counted). Try a larger spacing or a smaller wall.",
+          message_start(scene, scene.walls[wall]), scene.walls[wall].name, most_, spacing_,
+          1e-9 * usable_memory()));
     }
     faces_.push_back(std::move(face));
   }
@@ -263,6 +264,7 @@ class DummyLayout {
   std::int64_t layers_;
   double thickness_;
   NearTest placed_;
+  double most_;  ///< sites that fit into memory
   std::vector<Face> faces_;
   FacetIndex index_;
   std::vector<std::uint32_t> found_;  ///< scratch

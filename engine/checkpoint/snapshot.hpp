@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,6 +32,8 @@ class Snapshot {
   void add(std::string name, std::string text);
 
   const std::vector<SnapshotItem>& items() const { return items_; }
+  /// All items, of which nothing stays behind: who writes them can let go of one after the other.
+  std::vector<SnapshotItem> release() { return std::exchange(items_, {}); }
   bool has(std::string_view name) const { return find(name) != nullptr; }
   /// Errors, of all below: CheckpointError if the item is missing or of another type or size.
   const std::vector<double>& numbers(std::string_view name, std::size_t count) const;

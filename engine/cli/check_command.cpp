@@ -11,6 +11,7 @@
 #include "engine/cli/commands.hpp"
 #include "engine/cli/cost_check.hpp"
 #include "engine/cli/forecast.hpp"
+#include "engine/cli/output_check.hpp"
 #include "engine/cli/probe_check.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/start_warnings.hpp"
@@ -109,8 +110,18 @@ void add_forecast(Json& json, const Trial& trial, const Forecast& forecast) {
   json["rehearsal_spacing"] = forecast.rehearsal_spacing;
   json["rehearsal_complete"] = forecast.rehearsal_complete;
   json["particle_steps_per_s"] = json["particles"].get<double>() / trial.seconds_per_step;
-  json["memory_bytes"] = trial.memory;
+  json["state_bytes"] = trial.memory;
   json["trial_failure"] = trial.failure.empty() ? Json() : Json(trial.failure);
+}
+
+void add_outputs(Json& json, const Scene& scene, const Forecast& forecast,
+                 const OutputTrial& outputs) {
+  json["memory_bytes"] = std::llround(outputs.peak_bytes);
+  json["frame_bytes"] = std::llround(outputs.frame_bytes);
+  json["checkpoint_bytes"] = std::llround(outputs.checkpoint_bytes);
+  json["expected_frames"] = std::floor(expected_frames(scene, forecast));
+  const std::string warning = frames_warning(scene, forecast, outputs);
+  if (!warning.empty()) json["warnings"].push_back(warning);
 }
 
 void line(std::string_view name, const std::string& value) {
@@ -154,8 +165,16 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
   }
   line("neighbours", fmt::format("{} per particle", lattice_neighbours(scene)));
   line("preset", scene.numerics.preset);
-  line("machine", fmt::format("{}, {} threads", simulation.isa(), simulation.threads()));
-  line("memory", readable_bytes(static_cast<double>(trial.memory)));
+  line("machine", fmt::format("{}, up to {} threads", simulation.isa(), simulation.threads()));
+  line("memory", fmt::format("about {} at most, of which {} hold the state",
+                             readable_bytes(json["memory_bytes"].get<double>()),
+                             readable_bytes(static_cast<double>(trial.memory))));
+  const double frames = expected_frames(scene, forecast);
+  line("output",
+       fmt::format("{} frames of {}, checkpoints of {}",
+                   std::isnan(frames) ? "an unknown number of" : fmt::format("{:.0f}", frames),
+                   readable_bytes(json["frame_bytes"].get<double>()),
+                   readable_bytes(json["checkpoint_bytes"].get<double>())));
   if (trial.time_step > 0.0) line("time step", fmt::format("about {:.3g} s", trial.time_step));
   if (std::isnan(forecast.steps)) {
     line("steps", "unknown: a stage has no limit and did not come to rest in a short rehearsal");
@@ -224,8 +243,10 @@ int check_command(const CheckArguments& check) {
   Json json = summary(scene, subject);
   if (check.probe) json["probe"] = probe_of(scene, subject, arguments.options);
   const Trial trial = scaled(try_steps(subject.simulation, 1.0), subject, scene.spacing);
+  const OutputTrial outputs = scaled(try_outputs(subject.simulation), subject.share());
   const Forecast expected = forecast(scene, arguments.options, trial);
   add_forecast(json, trial, expected);
+  add_outputs(json, scene, expected, outputs);
   if (arguments.json != "-") print(scene, subject, json, trial, expected);
   if (check.costs) {
     constexpr double most_timed = 50000;  // particles; a variant takes some 20 steps

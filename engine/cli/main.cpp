@@ -2,6 +2,7 @@
 /// The program `scarp`: options to commands, errors to exit codes.
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "engine/element/element_path.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/limit_search.hpp"
+#include "engine/team.hpp"
 
 namespace {
 
@@ -25,8 +27,14 @@ void add_isa_option(CLI::App& command, scarp::RunOptions& options) {
 }
 
 void add_threads_option(CLI::App& command, scarp::RunOptions& options) {
-  command.add_option("--threads", options.threads, "Threads; 0 takes what OpenMP offers")
-      ->check(CLI::Range(0, 4096));
+  command
+      .add_option("--threads", options.threads,
+                  "Threads, exactly; 0, the default, takes as many as pay at the moment")
+      ->check([](const std::string& text) {
+        int threads = 0;
+        return CLI::detail::lexical_cast(text, threads) ? scarp::complaint_about_threads(threads)
+                                                        : std::string();
+      });
 }
 
 /// What every command with a scene takes.
@@ -203,6 +211,8 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ok : usage;
   }
+  const std::string note = scarp::note_on_offered_threads();
+  if (!note.empty() && !*report_app) fmt::print(stderr, "warning: {}.\n", note);
   if (*run_app) return run_command(run);
   if (*resume_app) return resume_command(resume);
   if (*check_app) return check_command(check);
@@ -215,6 +225,12 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef M_MMAP_THRESHOLD
+  // Blocks from here on go back to the system when freed: by itself the allocator keeps ever larger
+  // ones, up to half of what a run needs.
+  constexpr int given_back = 1 << 18;
+  mallopt(M_MMAP_THRESHOLD, given_back);
+#endif
   try {
     return run_program(argc, argv);
   } catch (const UsageError& error) {

@@ -16,6 +16,7 @@
 #include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/results.hpp"
+#include "engine/team.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -132,6 +133,16 @@ void say_where(const Resumed& resumed, const fs::path& folder, bool over) {
              resumed.simulation.isa(), resumed.simulation.threads());
 }
 
+/// As many as it was begun with, or what there is here: results do not depend on it.
+int threads_of(const RunRecord& record) {
+  if (complaint_about_threads(record.threads).empty()) return record.threads;
+  const int here = default_threads();
+  fmt::print(stderr,
+             "warning: begun with {} threads; there are {} here, which changes no result.\n",
+             record.threads, here);
+  return here;
+}
+
 }  // namespace
 
 int resume_command(const ResumeArguments& arguments) {
@@ -159,7 +170,7 @@ int resume_command(const ResumeArguments& arguments) {
   warn_of_another_program(record);
   run.options = arguments.options;
   if (run.options.isa.empty()) run.options.isa = record.isa;
-  if (run.options.threads == 0) run.options.threads = record.threads;
+  if (run.options.threads == 0) run.options.threads = threads_of(record);
   if (arguments.accept_tables) run.tables = OldTables::as_they_are;
   std::optional<Resumed> resumed = go_on(run);
   const bool over = !resumed;

@@ -26,7 +26,7 @@ Subject subject_of(const Scene& scene, const RunOptions& options) {
   validate(scene);
   std::vector<double> about = estimate_particles(scene);
   const double total = std::accumulate(about.begin(), about.end(), 0.0);
-  if (total > most_looked_at && total < most_particles()) {
+  if (total > most_looked_at && total < most_particles(scene)) {
     try {
       return {Simulation(thinned(scene, total, most_looked_at), options), about, total, true};
     } catch (const SceneError&) {  // too coarse for its shapes: then the scene itself has to do

@@ -141,7 +141,11 @@ void check(const Scene& scene, const ElementTest& test) {
   if (!(std::fabs(test.strain) > 0.0) || !(std::fabs(test.strain) <= 10.0)) {
     throw Error(fmt::format("strain {:g}: must be in -10 to 10 and not 0", test.strain));
   }
-  if (test.steps < 1) throw Error(fmt::format("{} steps: must be 1 or more", test.steps));
+  constexpr int most_steps = 10'000'000;
+  if (test.steps < 1 || test.steps > most_steps)
+    throw Error(fmt::format("{} steps: must be 1 to {}", test.steps, most_steps));
+  if (static_cast<std::size_t>(test.path) >= element_path_names.size())
+    throw Error("element test: no such path");
 }
 
 }  // namespace

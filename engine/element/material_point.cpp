@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "engine/errors.hpp"
 #include "engine/state.hpp"
 #include "kernels/constitutive/list.hpp"
 #include "kernels/constitutive/yield_return.hpp"
@@ -20,11 +23,22 @@ kernels::SymTensor<double> tensor_of(const std::array<double, 6>& s) {
   return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }
 
+const Material& checked_material(const Scene& scene, std::size_t material, int dimension) {
+  if (material >= scene.materials.size()) {
+    throw SceneError(fmt::format("material {}: the scene has {}. Try an index below that.",
+                                 material, scene.materials.size()));
+  }
+  if (dimension != 2 && dimension != 3)
+    throw SceneError(fmt::format("a material point in {} dimensions: try 2 or 3.", dimension));
+  return scene.materials[material];
+}
+
 }  // namespace
 
 MaterialPoint::MaterialPoint(const Scene& scene, std::size_t material, int dimension,
                              const RunOptions& options, double strength_reduction)
-    : constants_(stress_pass_constants(scene, scene.materials.at(material), strength_reduction)),
+    : constants_(stress_pass_constants(scene, checked_material(scene, material, dimension),
+                                       strength_reduction)),
       table_(&choose_table(options)),
       dimension_(dimension),
       plastic_(scene.materials[material].model != kernels::LinearElastic::name) {

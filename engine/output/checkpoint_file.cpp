@@ -9,6 +9,7 @@
 #include <fstream>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -83,16 +84,31 @@ void write_item(hdf5::NewFile& file, const SnapshotItem& item) {
   if (!item.unit.empty()) file.attribute(item.name, "unit", item.unit);
 }
 
-}  // namespace
-
-void write_checkpoint(const std::filesystem::path& path, const Snapshot& snapshot) {
-  hdf5::NewFile file(path, hdf5::Layout::summed);
+/// Lets go of each item that is in the file.
+void fill(hdf5::NewFile& file, Snapshot snapshot) {
   file.attribute("/", "format", format_name);
   file.attribute("/", "version", std::vector<std::int64_t>{format_version});
   file.attribute("/", "program", "scarp " + program_version());
-  for (const SnapshotItem& item : snapshot.items()) write_item(file, item);
+  for (SnapshotItem& item : snapshot.release()) {
+    const SnapshotItem last = std::move(item);
+    write_item(file, last);
+  }
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, Snapshot snapshot) {
+  hdf5::NewFile file(path, hdf5::Layout::summed);
+  fill(file, std::move(snapshot));
   const std::string_view image = file.bytes();
   replace_file_durably(path, std::array<std::string_view, 2>{image, ending(image)});
+}
+
+std::size_t checkpoint_bytes(Snapshot snapshot) {
+  hdf5::NewFile file("a checkpoint", hdf5::Layout::summed);
+  fill(file, std::move(snapshot));
+  const std::string_view image = file.bytes();
+  return image.size() + ending(image).size();
 }
 
 Snapshot read_checkpoint(const std::filesystem::path& path) {

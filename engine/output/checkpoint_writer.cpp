@@ -118,6 +118,7 @@ std::string CheckpointWriter::after_step(const Simulation& simulation) {
 }
 
 void CheckpointWriter::write(const Simulation& simulation) {
+  const auto began = Clock::now();
   simulation.require_sound();
   make_checkpoint_folder(outputs_.folder());
   flush_to_disk(outputs_.folder());
@@ -129,9 +130,11 @@ void CheckpointWriter::write(const Simulation& simulation) {
     states = recovery_->steps();
   }
   snapshot.add("retry/kept_steps", std::vector<std::int64_t>(states.begin(), states.end()));
-  write_checkpoint(checkpoint_of(outputs_.folder(), simulation.last_step().step), snapshot);
+  write_checkpoint(checkpoint_of(outputs_.folder(), simulation.last_step().step),
+                   std::move(snapshot));
   kept_before_ = std::exchange(kept_, std::move(states));
   remove_old_files();
+  outputs_.add_checkpoint_time(std::chrono::duration<double>(Clock::now() - began).count());
   last_ = now_();
   next_ = next_after(simulation.last_step().time, wanted_.interval);
 }

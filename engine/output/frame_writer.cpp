@@ -110,11 +110,7 @@ void clear_frames(const std::filesystem::path& folder, std::size_t kept) {
   }
 }
 
-}  // namespace
-
-void write_soil_frame(const std::filesystem::path& path, const Simulation& simulation,
-                      std::string_view event) {
-  hdf5::NewFile file(path);
+void fill(hdf5::NewFile& file, const Simulation& simulation, std::string_view event) {
   write_grid(file, simulation.field("position"), simulation.scene().spacing);
   write_moment(file, simulation, event);
   for (const FieldInfo& field : simulation.fields()) {
@@ -130,7 +126,21 @@ void write_soil_frame(const std::filesystem::path& path, const Simulation& simul
   }
   file.dataset("VTKHDF/PointData/id", converted<std::int64_t>(simulation.field("id")));
   file.dataset("VTKHDF/PointData/material", converted<std::int32_t>(simulation.field("material")));
+}
+
+}  // namespace
+
+void write_soil_frame(const std::filesystem::path& path, const Simulation& simulation,
+                      std::string_view event) {
+  hdf5::NewFile file(path);
+  fill(file, simulation, event);
   file.commit();
+}
+
+std::size_t soil_frame_bytes(const Simulation& simulation) {
+  hdf5::NewFile file("a frame");
+  fill(file, simulation, "");
+  return file.bytes().size();
 }
 
 void write_wall_frame(const std::filesystem::path& path, const Simulation& simulation) {
@@ -253,10 +263,13 @@ void FrameWriter::write(const Simulation& simulation, std::string_view event) {
   if (has_changing_walls_) write_wall_frame(file_of("walls", next_), simulation);
   if (has_fixed_walls_ && next_ == 0) write_wall_frame(folder_ / "walls.hdf", simulation);
   frames_.push_back({next_++, simulation.last_step().time, {}, {}});
-  write_lists();
+  constexpr std::size_t few = 100;
+  if (count() <= few || count() >= listed_ + listed_ / 32) write_lists();
 }
 
-void FrameWriter::write_lists() const {
+void FrameWriter::write_lists() {
+  if (listed_ == count()) return;
+  listed_ = count();
   write_series("soil");
   if (has_changing_walls_) write_series("walls");
 }

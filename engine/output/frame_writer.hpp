@@ -25,9 +25,13 @@ void write_soil_frame(const std::filesystem::path& path, const Simulation& simul
 /// The same form for the walls' dummy particles; positions only. Errors: FileError.
 void write_wall_frame(const std::filesystem::path& path, const Simulation& simulation);
 
+/// How large a frame of the soil is now [bytes].
+std::size_t soil_frame_bytes(const Simulation& simulation);
+
 /// Numbers the frames of a run in one folder: soil_00000.hdf, ... and soil.hdf.series with their
-/// times, replaced after each frame; walls.hdf once, or walls_00000.hdf, ... if a wall moves or is
-/// removed.
+/// times, replaced after each frame or, of more than some hundred, after each thirtieth part more,
+/// so that all lists together cost no more than the frames do; walls.hdf once, or walls_00000.hdf,
+/// ... if a wall moves or is removed.
 class FrameWriter {
  public:
   /// Makes the folder and removes frames an earlier run left there. Errors: FileError.
@@ -45,6 +49,9 @@ class FrameWriter {
   /// Flushes the frames to the disk and adds their times, sizes and sums. Errors: FileError.
   void add_progress(Snapshot& snapshot);
 
+  /// Replaces the lists if they do not name every frame yet. Errors: FileError.
+  void write_lists();
+
   std::size_t count() const { return frames_.size(); }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -58,14 +65,14 @@ class FrameWriter {
   std::string damage_of(const Frame& frame, bool sizes_only) const;
   void restore_walls(const Simulation& simulation, const Snapshot& progress);
   std::filesystem::path file_of(const char* name, std::size_t number) const;
-  void write_lists() const;
   void write_series(std::string_view name) const;
 
   std::filesystem::path folder_;
   std::vector<Frame> frames_;
-  std::size_t next_ = 0;     ///< number of the next frame
-  std::size_t flushed_ = 0;  ///< frames known to be on the disk
-  FileMark fixed_walls_;     ///< of walls.hdf, known once a frame was flushed
+  std::size_t next_ = 0;                  ///< number of the next frame
+  std::size_t flushed_ = 0;               ///< frames known to be on the disk
+  std::size_t listed_ = ~std::size_t{0};  ///< frames that the lists name; at first unknown
+  FileMark fixed_walls_;                  ///< of walls.hdf, known once a frame was flushed
   bool has_fixed_walls_ = false, has_changing_walls_ = false;
   std::vector<std::string> warnings_;
 };

@@ -31,6 +31,11 @@ std::pair<hid_t, hid_t> memory_and_file_type() {
   }
 }
 
+std::recursive_mutex& library_mutex() {
+  static std::recursive_mutex one;
+  return one;
+}
+
 }  // namespace
 
 std::string last_reason() {
@@ -45,7 +50,7 @@ std::string last_reason() {
   return reason.empty() ? "no reason given" : reason;
 }
 
-QuietErrors::QuietErrors() {
+QuietErrors::QuietErrors() : turn_(library_mutex()) {
   H5Eget_auto2(H5E_DEFAULT, &print_, &client_data_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -63,7 +68,9 @@ Handle NewFile::create_in_memory() const {
     check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18), "its version");
   }
   const Handle creation = timeless(H5P_FILE_CREATE, "the root group");
-  return checked(H5Fcreate("in memory", H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose,
+  // HDF5 takes two files of one name for the same.
+  const std::string name = fmt::format("in memory at {}", fmt::ptr(this));
+  return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose,
                  "creating it");
 }
 
@@ -87,6 +94,12 @@ void NewFile::groups_above(const std::string& name) {
 
 template <class T>
 void NewFile::dataset(const std::string& name, const std::vector<T>& values, const Shape& shape) {
+  std::size_t count = 1;
+  for (const hsize_t extent : shape) count *= static_cast<std::size_t>(extent);
+  if (count != values.size()) {
+    throw FileError(fmt::format("'{}': cannot be written; '{}' has {} values, but a shape for {}.",
+                                path_.string(), name, values.size(), count));
+  }
   const auto [memory_type, file_type] = memory_and_file_type<T>();
   Handle space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                          H5Sclose, name);

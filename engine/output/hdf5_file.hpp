@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,7 +33,9 @@ class Handle {
   Close close_;
 };
 
-/// Keeps HDF5 from printing; errors are thrown instead.
+/// The turn to use HDF5, whose library is one for the whole process and, as built by default, not
+/// safe in two threads at once; and keeps it from printing: errors are thrown instead. First member
+/// of whatever calls HDF5. A program that uses HDF5 itself sees to its own calls.
 class QuietErrors {
  public:
   QuietErrors();
@@ -41,6 +44,7 @@ class QuietErrors {
   ~QuietErrors();
 
  private:
+  std::lock_guard<std::recursive_mutex> turn_;
   H5E_auto2_t print_ = nullptr;
   void* client_data_ = nullptr;
 };

@@ -65,7 +65,7 @@ std::optional<std::string> Recovery::go_back(Simulation& simulation, RunWriter& 
   kept_.resize(1);
   const Snapshot& state = kept_.front().state;
   const std::uint64_t failed = simulation.last_step().step + 1;
-  simulation = Simulation(simulation.scene(), state, {simulation.threads(), {}});
+  simulation = Simulation(simulation.scene(), state, simulation.options());
   simulation.set_step_factor(std::ldexp(1.0, -(done + 1)));
   const std::uint64_t back_to = simulation.last_step().step;
   remove_checkpoints_after(writer.folder(), back_to);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "engine/machine.hpp"
 #include "engine/output/text_file.hpp"
 
 #ifndef SCARP_VERSION
@@ -183,6 +184,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"particle_steps_per_s",
              results.wall_seconds > 0.0 ? Json(particle_steps / results.wall_seconds) : Json()},
             {"memory_bytes", simulation.memory_bytes()},
+            {"resident_peak_bytes", std::llround(resident_memory().peak)},
             {"step_limits", Json::object()},
             {"signal_material", scene.materials[last.signal_material].name},
             {"materials", Json::array()},
@@ -213,8 +215,10 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
   for (const Measure& measure : results.measures) json["measures"].push_back(json_of(measure));
   for (const ProbeParticle& probe : simulation.probe_particles())
     json["probes"].push_back(json_of(probe));
-  for (const PhaseTime& time : simulation.profile())
-    json["profile"].push_back({{"phase", time.phase}, {"wall_s", time.seconds}});
+  for (const std::vector<PhaseTime>& times : {simulation.profile(), results.outputs}) {
+    for (const PhaseTime& time : times)
+      json["profile"].push_back({{"phase", time.phase}, {"wall_s", time.seconds}});
+  }
   for (const StageResult& stage : results.stages) {
     json["stages"].push_back({{"name", stage.name},
                               {"end_time_s", stage.end_time},

@@ -57,6 +57,7 @@ struct RunResults {
   std::string failure;  ///< why the run did not reach its end with all its soil; empty if it did
   std::optional<Instability> instability = {};  ///< ... if it became unstable
   std::vector<Retry> retries = {};
+  std::vector<PhaseTime> outputs = {};  ///< wall time of what a run writes
 };
 
 /// Writes results.json, version 1 (format documented in `engine/output/FORMATS.md`). "pass" is

@@ -52,6 +52,25 @@ double next_multiple(double time, double interval) {
   return interval == never ? never : (std::floor(time / interval * (1.0 + 1e-12)) + 1.0) * interval;
 }
 
+/// Steps that cost about ten times as much as a row, as a force sweep for all walls and one for
+/// each (`wall_reactions`) do; a step costs about three sweeps.
+std::uint64_t steps_worth_ten_rows(const Scene& scene) { return 4 * (1 + scene.walls.size()); }
+
+/// Adds the wall time of its life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() {
+    sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  }
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
 std::string case_name(const Scene& scene, const std::filesystem::path& folder) {
   const std::filesystem::path named =
       scene.file.empty() ? folder : std::filesystem::path(scene.file);
@@ -154,7 +173,9 @@ void RunWriter::enter_stage(const Simulation& simulation) {
   stage_ = simulation.stage_index();
   frame_interval_ = scene.output.frame_interval > 0.0 ? scene.output.frame_interval : never;
   row_interval_ = scene.output.probe_interval;
+  steps_between_rows_ = 1;
   if (!(row_interval_ > 0.0)) {
+    steps_between_rows_ = steps_worth_ten_rows(scene);
     const double duration = stage_ < scene.stages.size() ? scene.stages[stage_].duration : 0.0;
     row_interval_ = duration > 0.0 && std::isfinite(duration) ? duration / 100.0 : never;
   }
@@ -172,7 +193,8 @@ void RunWriter::after_step(const Simulation& simulation) {
     write_frame(simulation, ended ? "stage_end" : entered ? "stage_start" : "interval");
     next_frame_ = next_multiple(time, frame_interval_);
   }
-  if (entered || ended || time >= next_row_) {
+  const bool paid = !row_step_ || simulation.last_step().step >= *row_step_ + steps_between_rows_;
+  if (entered || ended || (time >= next_row_ && paid)) {
     write_row(simulation);
     next_row_ = next_multiple(time, row_interval_);
   }
@@ -185,14 +207,21 @@ void RunWriter::after_step(const Simulation& simulation) {
 void RunWriter::finish(const Simulation& simulation, double wall_seconds,
                        const std::string& failure) {
   write_frame(simulation, failure.empty() ? "last" : "stopped");
+  if (frames_) frames_->write_lists();
   write_row(simulation);
   const LostSoil& lost = simulation.lost_soil();
   write_results(
       folder_ / "results.json", simulation,
-      {case_name(simulation.scene(), folder_), seconds_before_ + wall_seconds, stages_,
+      {case_name(simulation.scene(), folder_),
+       seconds_before_ + wall_seconds,
+       stages_,
        measures_ ? *measures_ : basic_measures(simulation),
        failure.empty() && lost.particles > 0 ? lost.message(simulation.soil_count()) : failure,
-       instability_, retries_});
+       instability_,
+       retries_,
+       {{"write_frames", frame_seconds_},
+        {"write_rows", row_seconds_},
+        {"write_checkpoints", checkpoint_seconds_}}});
 }
 
 void RunWriter::go_back(const Simulation& simulation, const Snapshot& progress, Retry retry) {
@@ -200,10 +229,14 @@ void RunWriter::go_back(const Simulation& simulation, const Snapshot& progress, 
   retries.push_back(std::move(retry));
   std::optional<std::vector<Measure>> measures = std::move(measures_);
   const double seconds = seconds_so_far();
+  const double frames = frame_seconds_, rows = row_seconds_, checkpoints = checkpoint_seconds_;
   *this = RunWriter(simulation, folder_, progress);
   retries_ = std::move(retries);
   measures_ = std::move(measures);
   seconds_before_ = seconds;
+  frame_seconds_ += frames;
+  row_seconds_ += rows;
+  checkpoint_seconds_ += checkpoints;
 }
 
 double RunWriter::seconds_so_far() const {
@@ -220,6 +253,7 @@ void RunWriter::finish(const Simulation& simulation, double wall_seconds,
 void RunWriter::write_frame(const Simulation& simulation, std::string_view event) {
   const std::uint64_t step = simulation.last_step().step;
   if (!frames_ || frame_step_ == step) return;
+  const Stopwatch stopwatch(frame_seconds_);
   frames_->write(simulation, event);
   frame_step_ = step;
 }
@@ -227,6 +261,7 @@ void RunWriter::write_frame(const Simulation& simulation, std::string_view event
 void RunWriter::write_row(const Simulation& simulation) {
   const std::uint64_t step = simulation.last_step().step;
   if (row_step_ == step) return;
+  const Stopwatch stopwatch(row_seconds_);
   histories_.write(simulation);
   row_step_ = step;
 }

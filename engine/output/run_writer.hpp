@@ -20,7 +20,8 @@ namespace scarp {
 /// Writes into a folder: frames/ (see FrameWriter), the tables of ProbeWriter, scene.toml (the
 /// scene as read, before any override), results.json. Frames and table rows fall on the
 /// first step at or after each multiple of the scene's intervals in stage time, and on the first
-/// and last step of a stage.
+/// and last step of a stage. Where the scene sets no interval for rows, at least so many steps lie
+/// between two that they take about a tenth of the time at most.
 class RunWriter {
  public:
   /// Removes outputs and page of an earlier run, then writes the initial state. Errors: FileError.
@@ -54,6 +55,9 @@ class RunWriter {
   /// Flushes everything to the disk and adds how far the outputs have come. Errors: FileError.
   void add_progress(Snapshot& snapshot);
 
+  /// Counts wall time of checkpoints among that of the outputs [s].
+  void add_checkpoint_time(double seconds) { checkpoint_seconds_ += seconds; }
+
   const std::filesystem::path& folder() const { return folder_; }
   /// Of the frames that the run goes on without.
   std::vector<std::string> warnings() const {
@@ -77,8 +81,10 @@ class RunWriter {
   std::size_t stage_ = 0;
   double frame_interval_ = 0.0, row_interval_ = 0.0;  ///< [s]; infinite: none between start and end
   double next_frame_ = 0.0, next_row_ = 0.0;          ///< in stage time [s]
+  std::uint64_t steps_between_rows_ = 1;              ///< at least
   std::optional<std::uint64_t> frame_step_, row_step_;
   double seconds_before_ = 0.0;  ///< wall time that the run took before it was resumed
+  double frame_seconds_ = 0.0, row_seconds_ = 0.0, checkpoint_seconds_ = 0.0;  ///< wall time
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 

@@ -43,7 +43,7 @@ struct Lattice {
 class LatticeFill {
  public:
   explicit LatticeFill(const Scene& scene)
-      : scene_(scene), up_(scene.dimension == 2 ? 1 : 2), limit_(most_particles()) {
+      : scene_(scene), up_(scene.dimension == 2 ? 1 : 2), limit_(most_particles(scene)) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) shapes_.push_back(column_shape(scene, b));
     if (!shapes_.empty()) lattice_ = {shapes_[0].minimum, scene.spacing};
   }
@@ -159,8 +159,9 @@ class LatticeFill {
   [[noreturn]] void too_many(const ColumnShape& shape) const {
     throw SceneError(fmt::format(
         "{}: with it the scene has more than {:.3g} particles at spacing {} m, the most "
-        "for this machine's {:.3g} GB of memory. Try a larger spacing.",
-        shape.label, limit_, scene_.spacing, 1e-9 * physical_memory()));
+        "for the {:.3g} GB of memory that this process may use (control group and ulimit counted). "
+        "Try a larger spacing.",
+        shape.label, limit_, scene_.spacing, 1e-9 * usable_memory()));
   }
 
   void add(std::size_t body, SoilPoints& soil) {

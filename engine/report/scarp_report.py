@@ -191,15 +191,15 @@ def step_limits_section(page, results):
 
 
 def profile_section(page, results):
-    """Where the run time went, largest first; what no phase took is output and set-up."""
+    """Where the run time went, largest first; what no phase took is the rest."""
     phases = results.get("profile")
     total = results.get("wall_s")
     if not phases or not total:
         return
     rows = [[phase["phase"].replace("_", " "), phase["wall_s"]] for phase in phases]
-    rows.append(["output and set-up", max(total - sum(seconds for _, seconds in rows), 0.0)])
+    rows.append(["the rest", max(total - sum(seconds for _, seconds in rows), 0.0)])
     rows.sort(key=lambda row: -row[1])
-    page.table(["phase of the step", "s", "share"],
+    page.table(["phase", "s", "share"],
                [[words, number(seconds), f"{100 * seconds / total:.1f} %"] for words, seconds in rows])
 
 

@@ -45,8 +45,11 @@ inline constexpr std::string_view words<Precision> = "double|mixed";
 template <class Choice>
 requires(!words<Choice>.empty()) constexpr std::string_view word(Choice choice) {
   std::string_view rest = words<Choice>;
-  for (auto before = static_cast<int>(choice); before > 0; --before)
-    rest.remove_prefix(rest.find('|') + 1);
+  for (auto before = static_cast<int>(choice); before != 0; --before) {
+    const std::size_t bar = rest.find('|');
+    if (bar == std::string_view::npos) return "unknown";
+    rest.remove_prefix(bar + 1);
+  }
   return rest.substr(0, rest.find('|'));
 }
 

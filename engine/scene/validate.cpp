@@ -173,6 +173,7 @@ double reduction_of(const Stage& stage, const Material& material) {
 }
 
 void validate(const Scene& scene) {
+  checks::choices(scene);
   inside(scene.dimension, 2, 3, "dimension");
   inside(scene.spacing, 1e-9, 1e9, "spacing");
   checks::vector(scene.gravity, scene.dimension, 1e6, "gravity");

@@ -19,4 +19,7 @@ void vector(const Vec3& value, int dimension, double largest, const std::string&
 void body(const Scene& scene, std::size_t index, const std::string& path);
 void wall(const Wall& wall, int dimension, const std::string& path);
 
+/// Every choice is one of its words: a scene made in code may hold any number.
+void choices(const Scene& scene);
+
 }  // namespace scarp::checks

@@ -224,6 +224,11 @@ TEST(ElementPathTest, ReadsNothingThatMakesNoSense) {
   EXPECT_THROW(run_element(scene, {ElementPath::triaxial, 0, B, bad}), Error);
   EXPECT_THROW(run_element(scene, {ElementPath::triaxial, 0, B, 0.0}), Error);
   EXPECT_THROW(run_element(scene, {ElementPath::triaxial, 0, B, 0.1, 0}), Error);
+  EXPECT_THROW(run_element(scene, {ElementPath::triaxial, 0, B, 0.1, 2147483647}), Error);
+  EXPECT_THROW(run_element(scene, {static_cast<ElementPath>(4)}), Error);
+  EXPECT_THROW(run_element(scene, {static_cast<ElementPath>(-1)}), Error);
+  EXPECT_THROW(MaterialPoint(scene, 1, 3), Error);
+  EXPECT_THROW(MaterialPoint(scene, 0, 4), Error);
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ struct Outcome {
 Outcome run(int threads) {
   RunOptions options;
   options.threads = threads;
+  options.oversubscribe = true;
   Simulation simulation(thrown_block(), options);
   EXPECT_EQ(simulation.threads(), threads);
   for (int step = 0; step < 60; ++step) simulation.step();

@@ -115,6 +115,7 @@ TEST_P(SnapshotTest, GoesOnBitForBitAtAnyMoment) {
   RunOptions one, three;
   one.threads = 1;
   three.threads = 3;
+  three.oversubscribe = true;
   const Scene scene = GetParam().scene();
   Simulation whole(scene, one);
   advance(whole, steps);

@@ -4,6 +4,7 @@
 Usage: cli_test.py PATH_OF_SCARP"""
 
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -58,6 +59,31 @@ damping = 30
 [[probe]]
 name = "top"
 at = [0.5, 4]
+"""
+
+LARGE = """title = "Large"
+dimension = {dimension}
+gravity = {gravity}
+spacing = {spacing}
+[[material]]
+name = "clay"
+density = 2000.0
+youngs_modulus = "100 MPa"
+poisson_ratio = 0.3
+cohesion = "10 kPa"
+friction_angle = "20 deg"
+[[body]]
+material = "clay"
+box = {{min = {zero}, max = {size}}}
+[[wall]]
+name = "box"
+kind = "no_slip"
+box = {{min = {zero}, max = {size}}}
+[[stage]]
+name = "short"
+duration = "0.05 s"
+[checkpoint]
+every = "0.02 s"
 """
 
 SLOPE = """title = "Slope"
@@ -159,6 +185,62 @@ class CliTest(unittest.TestCase):
         self.assertEqual(numbers["particles"], 32)
         self.assertGreater(numbers["expected_steps"], 0)
         self.assertFalse((self.folder / "out").exists())
+
+    def peak_of(self, *arguments):
+        """The most memory a command had in use [bytes]."""
+        with subprocess.Popen([SCARP, *arguments], cwd=self.folder, stderr=subprocess.DEVNULL) as process:
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        return 1024 * usage.ru_maxrss
+
+    def test_check_tells_the_memory_of_a_run(self):
+        """60 thousand particles with a frame, a checkpoint and a rebuild of the lists, in plane strain and 3D. Heaps
+        differ by a few pages from run to run, and soil that moves has longer lists than soil at rest: 15 %."""
+        for dimension, size, spacing in ((2, "[300, 200]", 1.0), (3, "[40, 40, 40]", 1.0)):
+            scene = LARGE.format(dimension=dimension, size=size, spacing=spacing,
+                                 gravity="[0, -9.81]" if dimension == 2 else "[0, 0, -9.81]",
+                                 zero="[0, 0]" if dimension == 2 else "[0, 0, 0]")
+            (self.folder / "large.toml").write_text(scene)
+            self.scarp("check", "large.toml", "--threads", "1", "--json", "check.json")
+            told = json.loads((self.folder / "check.json").read_text())
+            peak = self.peak_of("run", "large.toml", "-o", f"run{dimension}", "--threads", "1", "-q")
+            self.assertLess(abs(told["memory_bytes"] - peak), 0.15 * peak, (dimension, told["memory_bytes"], peak))
+            run = self.folder / f"run{dimension}"
+            frame = (run / "frames" / "soil_00000.hdf").stat().st_size
+            self.assertLess(abs(told["frame_bytes"] - frame), 0.01 * frame)
+            kept = sorted((run / "checkpoints").iterdir())[-1].stat().st_size
+            self.assertLess(abs(told["checkpoint_bytes"] - kept), 0.01 * kept)
+
+    def test_check_tells_of_frames_on_every_step(self):
+        (self.folder / "often.toml").write_text(SCENE + "[output]\nevery = 1e-9\n")
+        done = self.scarp("check", "often.toml", "--json", "check.json")
+        numbers = json.loads((self.folder / "check.json").read_text())
+        self.assertIn("a frame follows almost every step", done.stdout)
+        self.assertGreaterEqual(numbers["expected_frames"], numbers["expected_steps"])
+
+    def test_threads_are_bounded_by_the_cores(self):
+        cores = len(os.sched_getaffinity(0))
+        for threads in (cores + 1, 1000, 2147483647):
+            done = self.scarp("run", "block.toml", "--threads", str(threads))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"{threads} threads are more than the", done.stderr)
+            self.assertFalse((self.folder / "out").exists())
+        done = subprocess.run([SCARP, "run", "block.toml", "-q", "--json", "-"], cwd=self.folder, capture_output=True,
+                              text=True, timeout=100, check=False, env={**os.environ, "OMP_NUM_THREADS": "1000"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("OMP_NUM_THREADS asks for 1000 threads", done.stderr)
+        self.assertLessEqual(json.loads(done.stdout)["threads"], cores)
+
+    def test_a_run_of_a_larger_machine_goes_on_with_the_cores_there_are(self):
+        self.scarp("run", "block.toml", "-o", "run", "-q")
+        record = self.folder / "run" / "run.json"
+        for threads in (1000, -3, 2147483647):
+            record.write_text(json.dumps({**json.loads(record.read_text()), "threads": threads}))
+            (self.folder / "run" / "results.json").unlink()
+            done = self.scarp("resume", "run", "-q")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"begun with {threads} threads", done.stderr)
 
     def test_a_run_of_seconds_is_forecast_to_the_step(self):
         (self.folder / "column.toml").write_text(COLUMN)

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "engine/errors.hpp"
+#include "engine/machine.hpp"
 #include "tests/engine/output/output_fixture.hpp"
 
 namespace scarp {
@@ -71,6 +72,23 @@ TEST_F(CheckpointFileTest, GivesBackEveryItemBitForBit) {
   simulation_.step();
   resumed.step();
   EXPECT_EQ(simulation_.field("position"), resumed.field("position"));
+}
+
+// Each array goes once it is in the file: what is written takes no second copy.
+TEST_F(CheckpointFileTest, TakesNoMoreMemoryThanTheState) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers keep what is freed";
+#endif
+  constexpr std::size_t arrays = 20, values = 1 << 19;  // of 4 MiB
+  constexpr double all = arrays * values * sizeof(double);
+  Snapshot state;
+  for (std::size_t k = 0; k < arrays; ++k)
+    state.add(fmt::format("fields/f{}", k), "m",
+              std::vector<double>(values, static_cast<double>(k)));
+  const double before = resident_memory().peak;
+  write_checkpoint(folder_ / "large.h5", std::move(state));
+  EXPECT_LT(resident_memory().peak - before, 0.25 * all);
+  EXPECT_GT(std::filesystem::file_size(folder_ / "large.h5"), all);
 }
 
 TEST_F(CheckpointFileTest, OpensInAnyReaderOfHdf5) {

@@ -114,6 +114,28 @@ TEST_F(FrameWriterTest, ListsFramesWithTheirTimes) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "walls_00000.hdf"));
 }
 
+// A list is a new file each time. Of 300 frames the first 100 have one each, those behind share
+// one with a thirtieth of what is there: log(300/100)/log(33/32) = 36 more.
+TEST_F(FrameWriterTest, WritesListsOfManyFramesNowAndThen) {
+  Simulation simulation = block();
+  FrameWriter writer(simulation, folder_);
+  const auto list = folder_ / "soil.hdf.series";
+  const auto listed = [&] { return nlohmann::json::parse(text_of(list)).at("files").size(); };
+  std::size_t lists = 0, before = 0;
+  for (std::size_t count = 1; count <= 300; ++count) {
+    writer.write(simulation, "interval");
+    const std::size_t now = listed();
+    lists += now != before;
+    before = now;
+    EXPECT_LE(now, count);
+    EXPECT_GE(now + now / 32 + 1, count);
+  }
+  EXPECT_LE(lists, 100u + 40u);
+  EXPECT_LT(listed(), 300u);
+  writer.write_lists();
+  EXPECT_EQ(listed(), 300u);
+}
+
 TEST_F(FrameWriterTest, WritesMovingWallsWithEachFrame) {
   std::string text = block_text;
   const std::string line = "line = [[-2, 0], [6, 0]]";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -55,6 +56,59 @@ TEST_F(RunWriterTest, WritesFramesAtIntervalsAndStageEnds) {
   ASSERT_EQ(found.at("stages").size(), 2u);
   EXPECT_EQ(found.at("stages")[0].at("name"), "first");
   EXPECT_NEAR(found.at("stages")[0].at("end_time_s").get<double>(), 0.04, 1e-9);
+}
+
+// A row takes a force sweep more than there are walls. Stages of some ten steps would have one on
+// each, as dear as the step itself, so there are few: 8 steps apart at least.
+TEST_F(RunWriterTest, RowsOfShortStagesCostATenthOfTheSteps) {
+  std::string stiff = block_text;
+  stiff.replace(stiff.find("10 MPa"), 6, "500 MPa");
+  Simulation simulation(read_scene_text(stiff, "block.toml"));
+  RunWriter writer(simulation, folder_);
+  run(simulation, &writer);
+  std::vector<std::uint64_t> steps;
+  for (const std::string& line : lines("history.csv")) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int k = 0; k < 3; ++k) std::getline(cells, cell, ',');
+    if (cell != "step") steps.push_back(std::stoull(cell));
+  }
+  const std::uint64_t taken = simulation.last_step().step;
+  ASSERT_GT(taken, 50u);
+  ASSERT_LT(taken, 180u);  // a hundredth of a stage is less than a step
+  const json stages = results().at("stages");
+  std::vector<std::uint64_t> fixed{0};  // start, ends of stages and the steps behind them
+  for (const json& stage : stages) fixed.push_back(stage.at("end_step").get<std::uint64_t>());
+  fixed.push_back(fixed[1] + 1);
+  std::size_t between = 0;
+  for (const std::uint64_t step : steps)
+    between += std::find(fixed.begin(), fixed.end(), step) == fixed.end();
+  EXPECT_EQ(steps.size() - between, fixed.size());
+  EXPECT_LE(between, taken / 8);
+  EXPECT_GT(between, 0u);
+}
+
+TEST_F(RunWriterTest, RowsFallOnEveryStepWhereTheSceneAsksForThem) {
+  const std::string each = block_text + "probes_every = 1e-9\n";
+  Simulation simulation(read_scene_text(each, "block.toml"));
+  RunWriter writer(simulation, folder_);
+  run(simulation, &writer);
+  EXPECT_EQ(lines("history.csv").size(), simulation.last_step().step + 2);  // titles and start
+}
+
+TEST_F(RunWriterTest, OutputsHaveTheirLinesInTheProfile) {
+  Simulation simulation = block();
+  RunWriter writer(simulation, folder_);
+  writer.add_checkpoint_time(0.25);
+  run(simulation, &writer);
+  const json found = results();
+  std::map<std::string, double> seconds;
+  for (const json& phase : found.at("profile"))
+    seconds[phase.at("phase")] = phase.at("wall_s").get<double>();
+  EXPECT_GT(seconds.at("write_frames"), 0.0);
+  EXPECT_GT(seconds.at("write_rows"), 0.0);
+  EXPECT_EQ(seconds.at("write_checkpoints"), 0.25);
+  EXPECT_GT(found.at("resident_peak_bytes"), found.at("memory_bytes"));
 }
 
 TEST_F(RunWriterTest, ReportsTheMass) {

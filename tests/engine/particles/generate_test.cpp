@@ -3,6 +3,7 @@
 #include "engine/particles/generate.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -320,6 +321,19 @@ TEST(EstimateParticlesTest, IsExactWhereColumnsAreFewAndNearWhereTheyAreMany) {
   EXPECT_NEAR(estimate_particles(scene)[0], 0.5 * (1e5 + 32) * 10 / 0.0625, 1e4);
   scene.bodies = {{0, Box{{0, 0, 0}, {1e9, 1e9, 0}}, {}}};
   EXPECT_NEAR(estimate_particles(scene)[0], 1.6e19, 1e15);
+}
+
+// A million particles, which any machine of today holds, but not within 600 MB.
+TEST(GenerateSoilTest, MoreThanUlimitLetsARunHoldAreRefused) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_DATA, &before), 0);
+  rlimit lower = before;
+  lower.rlim_cur = 600'000'000;
+  ASSERT_EQ(setrlimit(RLIMIT_DATA, &lower), 0);
+  const std::string error = error_of(scene_of(2, 1.0, {{0, Box{{0, 0, 0}, {1000, 1000, 0}}, {}}}));
+  ASSERT_EQ(setrlimit(RLIMIT_DATA, &before), 0);
+  EXPECT_NE(error.find("the 0.6 GB of memory that this process may use"), std::string::npos)
+      << error;
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(IndependenceTest, RunsInTwoThreadsGiveTheBitsOfEachAlone) {
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     threads.emplace_back([&, k] {
       const int inner = k == 2 ? 2 : 1;  // one of them starts threads of its own
-      seen[k] = sight_of(run_steps(scenes[k], steps, {inner, {}}));
+      seen[k] = sight_of(run_steps(scenes[k], steps, {inner, {}, true}));
     });
   }
   for (std::thread& thread : threads) thread.join();

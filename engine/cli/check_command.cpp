@@ -242,9 +242,10 @@ int check_command(const CheckArguments& check) {
   Subject subject = subject_of(scene, arguments.options);
   Json json = summary(scene, subject);
   if (check.probe) json["probe"] = probe_of(scene, subject, arguments.options);
-  const Trial trial = scaled(try_steps(subject.simulation, 1.0), subject, scene.spacing);
+  const Trial trial =
+      scaled(try_steps(subject.simulation, check.patience), subject, scene.spacing);
   const OutputTrial outputs = scaled(try_outputs(subject.simulation), subject.share());
-  const Forecast expected = forecast(scene, arguments.options, trial);
+  const Forecast expected = forecast(scene, arguments.options, trial, check.patience);
   add_forecast(json, trial, expected);
   add_outputs(json, scene, expected, outputs);
   if (arguments.json != "-") print(scene, subject, json, trial, expected);
@@ -254,7 +255,8 @@ int check_command(const CheckArguments& check) {
   }
   if (arguments.json != "-" && check.probe) print_probe(json["probe"]);
   if (arguments.json != "-" && check.costs) print_costs(json["costs"]);
-  if (!arguments.json.empty()) write_text(arguments.json, json.dump(2) + "\n");
+  if (!arguments.json.empty())
+    write_text(arguments.json, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   const bool stable = !check.probe || json["probe"]["margin"]["stable"].get<double>() >= 1.0;
   return trial.failure.empty() && stable ? ok : unstable;
 }

@@ -33,8 +33,9 @@ struct SceneArguments {
 
 struct CheckArguments {
   SceneArguments scene;
-  bool costs = false;  ///< time the scene without each of the parts it uses
-  bool probe = false;  ///< find out what sets the time step and how far it is from unstable
+  bool costs = false;     ///< time the scene without each of the parts it uses
+  bool probe = false;     ///< find out what sets the time step and how far it is from unstable
+  double patience = 1.0;  ///< seconds of trial steps; a rehearsal takes three to six times as long
 };
 
 struct RunArguments {

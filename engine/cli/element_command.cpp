@@ -221,8 +221,9 @@ int element_command(const ElementArguments& arguments) {
   const std::vector<std::string> said = notes(scene, test, arguments.scene.options);
   if (arguments.scene.json != "-") print(scene, test, result, table.string(), said);
   if (!arguments.scene.json.empty()) {
-    write_text(arguments.scene.json,
-               summary(scene, test, result, table.string(), said).dump(2) + "\n");
+    write_text(arguments.scene.json, summary(scene, test, result, table.string(), said)
+                                             .dump(2, ' ', false, Json::error_handler_t::replace) +
+                                         "\n");
   }
   return ok;
 }

@@ -25,13 +25,14 @@ struct Rehearsal {
   bool finished = false;
 };
 
-Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_time) {
+Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_time,
+                   double patience) {
   using Clock = std::chrono::steady_clock;
   constexpr double fewest_steps = 50;  // fewer tell little about the cost of one
   Simulation simulation(scene, options);
   Rehearsal rehearsal;
   const auto began = Clock::now();
-  while (!simulation.finished() && rehearsal.whole.wall_s < most_seconds) {
+  while (!simulation.finished() && rehearsal.whole.wall_s < patience * most_seconds) {
     simulation.step();
     rehearsal.whole = {simulation.last_step().time, rehearsal.whole.steps + 1,
                        std::chrono::duration<double>(Clock::now() - began).count()};
@@ -45,13 +46,12 @@ Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_t
 
 /// The scene with the cost of a rehearsal; itself if that is no more. `wall_s` is NaN if a stage
 /// has no limit: then with few particles.
-Scene coarser(Scene scene, double wall_s, double particles) {
+Scene coarser(Scene scene, double wall_s, double particles, double wanted) {
   constexpr double few = 2000.0;
   // Particles go with spacing^-d, steps with 1/spacing.
-  scene.spacing *=
-      std::isnan(wall_s)
-          ? std::pow(std::max(1.0, particles / few), 1.0 / scene.dimension)
-          : std::pow(std::max(1.0, wall_s / wanted_seconds), 1.0 / (scene.dimension + 1.0));
+  scene.spacing *= std::isnan(wall_s)
+                       ? std::pow(std::max(1.0, particles / few), 1.0 / scene.dimension)
+                       : std::pow(std::max(1.0, wall_s / wanted), 1.0 / (scene.dimension + 1.0));
   return scene;
 }
 
@@ -63,15 +63,16 @@ double longest_duration(const Scene& scene) {
   return limited ? total_duration(scene) : std::numeric_limits<double>::quiet_NaN();
 }
 
-Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial) {
+Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial,
+                  double patience) {
   Forecast plain;
   plain.simulated = longest_duration(scene);
   plain.steps = std::ceil(plain.simulated / trial.time_step);
   plain.wall_s = plain.steps * trial.seconds_per_step;
   if (std::isnan(trial.seconds_per_step) || !trial.failure.empty()) return plain;
   try {
-    const Scene coarse = coarser(scene, plain.wall_s, trial.particles);
-    const Rehearsal rehearsal = rehearse(coarse, options, trial.simulated);
+    const Scene coarse = coarser(scene, plain.wall_s, trial.particles, patience * wanted_seconds);
+    const Rehearsal rehearsal = rehearse(coarse, options, trial.simulated, patience);
     const Part &start = rehearsal.start, &whole = rehearsal.whole;
     if (start.steps == 0.0) return plain;
     const double shorter_steps = whole.steps / whole.simulated * start.simulated / start.steps;

@@ -23,6 +23,8 @@ struct Forecast {
 /// it takes about three seconds, six at most. The rehearsal tells when stages come to rest, and how
 /// the time step and the cost of a step change from the start (soil in motion takes shorter steps
 /// and new lists). A scene that cannot be coarsened or comes apart when it is goes without.
-Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial);
+/// `patience`: multiplies these seconds.
+Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial,
+                  double patience = 1.0);
 
 }  // namespace scarp::cli

@@ -44,7 +44,7 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record) 
                                 {"isa", record.isa},
                                 {"threads", record.threads},
                                 {"text", record.scene_text}}
-                               .dump(2) +
+                               .dump(2, ' ', false, Json::error_handler_t::replace) +
                            "\n";
   replace_file_durably(folder / "run.json", std::array<std::string_view, 1>{text});
 }

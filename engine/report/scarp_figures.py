@@ -24,6 +24,13 @@ CYCLE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000
 plt.rcParams["axes.prop_cycle"] = matplotlib.cycler(color=CYCLE)
 
 
+def plain_label(text):
+    """Text of a scene for a figure: matplotlib takes what is between dollars for a formula, and leaves labels that
+    begin with an underscore out of legends."""
+    text = text.replace("$", r"\$")
+    return f" {text}" if text.startswith("_") else text
+
+
 def label_of(field, unit):
     name = field.replace("_", " ")
     return f"{name} [{unit if unit not in ('', '1') else '-'}]"
@@ -275,7 +282,8 @@ def draw_history(ax, table, names, labels=None, ylabel=None, log=False):
     """Columns of a table (scarp_frames.read_table) over time."""
     columns, units = table
     for number, name in enumerate(names):
-        ax.plot(columns["time"], columns[name], label=labels[number] if labels else name.replace("_", " "),
+        ax.plot(columns["time"], columns[name],
+                label=plain_label(labels[number] if labels else name.replace("_", " ")),
                 linestyle=["-", "--", "-."][number // len(CYCLE) % 3])
     if log:
         ax.set_yscale("log")

@@ -165,17 +165,18 @@ void locate_facet(const SceneProblem& problem, const toml::table& document,
 
 Scene read_scene_text(std::string_view text, const std::string& name,
                       const SceneOverrides& overrides) {
+  const std::string shown_name = input::one_line(name, name.size() * 4);
   if (text.size() > input::largest_file) {
-    throw SceneError(fmt::format("{}:1: the text is larger than {} MiB. Try a scene.", name,
+    throw SceneError(fmt::format("{}:1: the text is larger than {} MiB. Try a scene.", shown_name,
                                  input::largest_file >> 20));
   }
-  const toml::table document = parse(text, name);
-  Scene scene = read_document(Value(document, "", name), name, overrides);
+  const toml::table document = parse(text, shown_name);
+  Scene scene = read_document(Value(document, "", shown_name), name, overrides);
   scene.text = text;
   try {
     validate(scene);
   } catch (const SceneProblem& problem) {
-    locate(problem, document, name);
+    locate(problem, document, shown_name);
   }
   return scene;
 }

@@ -10,6 +10,7 @@
 #include <ostream>
 #include <streambuf>
 
+#include "engine/plain_text.hpp"
 #include "engine/scene/not_supported.hpp"
 #include "engine/scene/units.hpp"
 
@@ -69,6 +70,7 @@ std::string one_line(std::string_view raw, std::size_t longest) {
     if (!blank) text += letter;
     if (blank && !text.empty() && text.back() != ' ') text += ' ';
   }
+  text = plain_text(text);
   if (text.size() <= longest) return text;
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // whole letters

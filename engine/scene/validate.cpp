@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "engine/plain_text.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/scene_problem.hpp"
@@ -59,11 +60,8 @@ void check_names(const std::vector<Named>& list, const char* section) {
     const std::string path = fmt::format("{}[{}].name", section, i), quoted = '"' + name + '"';
     rule(!name.empty() && name.size() <= 64, path, quoted,
          "a name has 1 to 64 letters. Try a short one.");
-    for (const char letter : name) {
-      const bool control = static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
-      rule(!control && std::string_view("/\\\",.[]").find(letter) == std::string_view::npos, path,
-           quoted, "it holds one of / \\ \" , . [ ] or a control character. Try letters and _.");
-    }
+    rule(name.find_first_of("/\\\",.[]") == std::string::npos && !has_control(name), path, quoted,
+         "it holds one of / \\ \" , . [ ] or a control character. Try letters and _.");
     // In a table such a cell is run as a formula by spreadsheets.
     rule(std::string_view("=+-@ ").find(name.front()) == std::string_view::npos, path, quoted,
          "it begins with one of = + - @ or a blank. Try a letter first.");
@@ -144,7 +142,8 @@ namespace {
 template <class Part>
 std::string start_of(const Scene& scene, const std::vector<Part>& list, const Part& part,
                      std::string_view section) {
-  const std::string place = part.line > 0 ? fmt::format("{}:{}: ", scene.file, part.line) : "";
+  const std::string place =
+      part.line > 0 ? fmt::format("{}:{}: ", plain_text(scene.file), part.line) : "";
   return fmt::format("{}key '{}[{}]' = ", place, section, &part - list.data());
 }
 
@@ -176,6 +175,8 @@ void validate(const Scene& scene) {
   checks::choices(scene);
   inside(scene.dimension, 2, 3, "dimension");
   inside(scene.spacing, 1e-9, 1e9, "spacing");
+  rule(!has_control(scene.title), "title", '"' + scene.title + '"',
+       "it holds a control character or a line end. Try plain text.");
   checks::vector(scene.gravity, scene.dimension, 1e6, "gravity");
   check_numerics(scene.numerics);
   rule(!scene.materials.empty(), "material", "none", "nothing is made of it. Try a [[material]].");

@@ -20,6 +20,7 @@
 #include "engine/errors.hpp"
 #include "engine/fos/dilation_note.hpp"
 #include "engine/particles/shapes.hpp"
+#include "engine/plain_text.hpp"
 #include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
@@ -150,7 +151,8 @@ void print_probes(const Scene& scene, const Simulation& simulation) {
 void print(const Scene& scene, const Subject& subject, const Json& json, const Trial& trial,
            const Forecast& forecast) {
   const Simulation& simulation = subject.simulation;
-  line("scene", fmt::format("{} ({})", scene.title.empty() ? "untitled" : scene.title, scene.file));
+  line("scene", fmt::format("{} ({})", scene.title.empty() ? "untitled" : scene.title,
+                            plain_text(scene.file)));
   line("dimension", scene.dimension == 2 ? "2, plane strain" : "3");
   line("particles", fmt::format("{}{} soil, {} wall", subject.coarser ? "about " : "",
                                 json["particles"].get<std::size_t>(),
@@ -242,8 +244,7 @@ int check_command(const CheckArguments& check) {
   Subject subject = subject_of(scene, arguments.options);
   Json json = summary(scene, subject);
   if (check.probe) json["probe"] = probe_of(scene, subject, arguments.options);
-  const Trial trial =
-      scaled(try_steps(subject.simulation, check.patience), subject, scene.spacing);
+  const Trial trial = scaled(try_steps(subject.simulation, check.patience), subject, scene.spacing);
   const OutputTrial outputs = scaled(try_outputs(subject.simulation), subject.share());
   const Forecast expected = forecast(scene, arguments.options, trial, check.patience);
   add_forecast(json, trial, expected);

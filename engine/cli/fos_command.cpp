@@ -23,6 +23,7 @@
 #include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/plain_text.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/scene/warnings.hpp"
 
@@ -193,8 +194,8 @@ void announce(const Simulation& start, const FosArguments& arguments, const fs::
     fmt::print(stderr, "warning: {}\n", warning);
   if (arguments.quiet) return;
   fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
-             scene.title.empty() ? arguments.scene.file : scene.title, start.soil_count(),
-             start.wall_count(), start.isa(), start.threads(), folder.string());
+             plain_text(scene.title.empty() ? arguments.scene.file : scene.title), start.soil_count(),
+             start.wall_count(), start.isa(), start.threads(), plain_text(folder.string()));
 }
 
 /// Replaces the trial of this factor, or adds it.

@@ -15,6 +15,7 @@
 #include "engine/element/element_path.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/limit_search.hpp"
+#include "engine/plain_text.hpp"
 #include "engine/team.hpp"
 
 namespace {
@@ -234,16 +235,16 @@ int main(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const UsageError& error) {
-    fmt::print(stderr, "scarp: {}\n", error.what());
+    fmt::print(stderr, "scarp: {}\n", scarp::plain_text(error.what()));
     return usage;
   } catch (const scarp::SimulationInstability& error) {
-    fmt::print(stderr, "scarp: {}\n", error.what());
+    fmt::print(stderr, "scarp: {}\n", scarp::plain_text(error.what()));
     return unstable;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "scarp: not enough memory for this scene; try a larger spacing.\n");
     return failed;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "scarp: {}\n", error.what());
+    fmt::print(stderr, "scarp: {}\n", scarp::plain_text(error.what()));
     return failed;
   }
 }

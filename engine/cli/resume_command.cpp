@@ -16,6 +16,7 @@
 #include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/results.hpp"
+#include "engine/plain_text.hpp"
 #include "engine/team.hpp"
 
 namespace scarp::cli {
@@ -79,7 +80,7 @@ void say_what_has_changed(const RunRecord& record, const Scene& scene, const fs:
     fmt::print(stderr,
                "warning: {} Here goes on the scene that the run began with. To run the other: "
                "scarp run {} -o {} --overwrite\n",
-               change, record.scene_name, folder.string());
+               change, plain_text(record.scene_name), plain_text(folder.string()));
   }
 }
 
@@ -95,7 +96,7 @@ void put_edited_copy_aside(const RunRecord& record, const fs::path& folder,
   fs::rename(copy, aside, ignored);
   fmt::print(stderr,
              "warning: '{}' was not the scene of this run; it is now '{}', and changes nothing.\n",
-             copy.string(), aside.string());
+             plain_text(copy.string()), plain_text(aside.string()));
 }
 
 /// The scene with more stages. Errors: SceneError that names the first other difference.
@@ -115,8 +116,9 @@ bool go_on_is_needed(const fs::path& folder, bool more_stages) {
   fmt::print(stderr,
              "{}: the run is {}; there is nothing to go on with. More stages: scarp resume "
              "{} --scene LONGER.toml\n",
-             folder.string(), run_lost_soil(folder) ? "over, but lost soil" : "complete",
-             folder.string());
+             plain_text(folder.string()),
+             run_lost_soil(folder) ? "over, but lost soil" : "complete",
+             plain_text(folder.string()));
   return false;
 }
 
@@ -128,7 +130,7 @@ void warn_of_another_program(const RunRecord& record) {
 
 void say_where(const Resumed& resumed, const fs::path& folder, bool over) {
   const StepReport& last = resumed.simulation.last_step();
-  fmt::print(stderr, "{}: {} at step {}, {:.4g} s, {}, {} threads\n", folder.string(),
+  fmt::print(stderr, "{}: {} at step {}, {:.4g} s, {}, {} threads\n", plain_text(folder.string()),
              over ? "no checkpoint, starts over" : "goes on", last.step, last.time,
              resumed.simulation.isa(), resumed.simulation.threads());
 }

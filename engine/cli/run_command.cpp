@@ -16,6 +16,7 @@
 #include "engine/output/results.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/plain_text.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/scene/warnings.hpp"
@@ -79,8 +80,9 @@ int run_command(const RunArguments& arguments) {
     fmt::print(stderr, "warning: {}\n", warning);
   if (!arguments.quiet) {
     fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
-               scene.title.empty() ? arguments.scene.file : scene.title, simulation.soil_count(),
-               simulation.wall_count(), simulation.isa(), simulation.threads(), folder.string());
+               plain_text(scene.title.empty() ? arguments.scene.file : scene.title),
+               simulation.soil_count(), simulation.wall_count(), simulation.isa(),
+               simulation.threads(), plain_text(folder.string()));
   }
   const FolderLock lock(folder);
   claim_folder(folder, Command::run, scene, arguments.overwrite);

@@ -194,8 +194,9 @@ void announce(const Simulation& start, const FosArguments& arguments, const fs::
     fmt::print(stderr, "warning: {}\n", warning);
   if (arguments.quiet) return;
   fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",
-             plain_text(scene.title.empty() ? arguments.scene.file : scene.title), start.soil_count(),
-             start.wall_count(), start.isa(), start.threads(), plain_text(folder.string()));
+             plain_text(scene.title.empty() ? arguments.scene.file : scene.title),
+             start.soil_count(), start.wall_count(), start.isa(), start.threads(),
+             plain_text(folder.string()));
 }
 
 /// Replaces the trial of this factor, or adds it.

@@ -10,6 +10,7 @@
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_writer.hpp"
+#include "engine/plain_text.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 void say_how_to_go_on(const RunWriter& writer) {
   fmt::print(stderr, "To go on{}: scarp resume {}\n",
              checkpoints_in(writer.folder()).empty() ? " (from the start)" : "",
-             writer.folder().string());
+             plain_text(writer.folder().string()));
 }
 
 }  // namespace
@@ -70,9 +71,9 @@ int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
       }
       finish();
       fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
-                 writer.frame_count(), writer.folder().string());
+                 writer.frame_count(), plain_text(writer.folder().string()));
       if (const auto good = checkpoints_in(writer.folder()); !good.empty())
-        fmt::print(stderr, "The last good state is {}.\n", good.front().string());
+        fmt::print(stderr, "The last good state is {}.\n", plain_text(good.front().string()));
       throw;
     } catch (const FileError&) {
       progress.end();
@@ -85,7 +86,7 @@ int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
     fmt::print(stderr, "{} after {} steps, {:.4g} s simulated in {}; results in {}\n",
                simulation.finished() ? "done" : "stopped", simulation.last_step().step,
                simulation.last_step().time, readable_duration(wall_seconds),
-               writer.folder().string());
+               plain_text(writer.folder().string()));
   }
   if (simulation.finished()) {
     const LostSoil& at_end = simulation.lost_soil();

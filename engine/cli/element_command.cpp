@@ -14,6 +14,7 @@
 #include "engine/cli/commands.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/plain_text.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "kernels/constitutive/drucker_prager.hpp"
 
@@ -192,7 +193,7 @@ void print(const Scene& scene, const ElementTest& test, const ElementResult& res
          fmt::format("{:.6g}, volumetric {:.6g}", end.accumulated_plastic_strain,
                      end.plastic_volumetric_strain));
   }
-  line("table", table);
+  line("table", plain_text(table));
   for (const std::string& note : notes) fmt::print("note: {}\n", note);
 }
 

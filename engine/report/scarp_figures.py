@@ -181,7 +181,8 @@ def draw_particles_2d(ax, frame, field="accumulated_plastic_strain", limits=None
 
 
 def frame_title(frame):
-    return f"t = {frame['time']:.4g} s" + (f", stage “{frame['stage']}”" if frame.get("stage") else "")
+    stage = plain_label(frame["stage"]) if frame.get("stage") else ""
+    return f"t = {frame['time']:.4g} s" + (f", stage “{stage}”" if stage else "")
 
 
 def surface_particles(frame, layers=2):

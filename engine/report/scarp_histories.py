@@ -27,9 +27,10 @@ def probe_figure(page, columns, units, picture):
         sizes = {"time": columns["time"], "stage": columns["stage"]}
         for name in names:
             parts = [columns[c] for c in columns if c.startswith(f"{name}.{quantity}_")]
-            sizes[name] = np.sqrt(sum(part**2 for part in parts))
+            sizes["probe", name] = np.sqrt(sum(part**2 for part in parts))
         unit = "m" if quantity == "displacement" else "m/s"
-        draw_history(ax, (sizes, {}), names, ylabel=f"|{quantity}| [{unit}]")
+        draw_history(ax, (sizes, {}), [("probe", name) for name in names], [n.replace("_", " ") for n in names],
+                     f"|{quantity}| [{unit}]")
     axes[0].set_xlabel("")
     page.figure(figure, "Probes; dotted: a stage begins.", picture)
 

@@ -179,7 +179,7 @@ class NamesTest(unittest.TestCase):
             done = self.scarp("check", "--", os.fsdecode(path))
             self.assertEqual(done.returncode, 1, path)
             self.assertEqual(done.stderr.count(b"\n"), 1, path)
-            self.assertRegex(done.stderr.decode(), r"^scarp: .*toml:35: key 'output\.water'", path)
+            self.assertRegex(done.stderr.decode(), r"^scarp: .*toml:33: key 'output\.water'", path)
 
 
 if __name__ == "__main__":

@@ -144,6 +144,9 @@ class NamesTest(unittest.TestCase):
     def test_a_factor_of_safety_shows_names_and_runs_none(self):
         name = "<img src=x onerror=alert(1)>"
         self.write(b"scene.toml", name, name)
+        scene = self.folder / "scene.toml"
+        scene.write_text(scene.read_text("utf-8").replace(
+            "[[stage]]", '[[stage]]\nname = "settle"\nduration = "10 ms"\n[[stage]]'), "utf-8")
         done = self.scarp("fos", "scene.toml", "-o", "out", "--quiet", "--threads", "1", "--tolerance", "0.5",
                           "--window", "1 ms", "--ramp", "0", "--from", "40", "--to", "50")
         self.assertIn(done.returncode, (0, 1), done.stderr)

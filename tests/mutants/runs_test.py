@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 STEPS = 200
-DONE, REFUSED, UNSTABLE = 0, 1, 3
+DONE, REFUSED, UNSTABLE, LOST_SOIL = 0, 1, 3, 4
 
 
 def shortened(text):
@@ -60,7 +60,7 @@ def faults_of(scene, scarp, out):
         return ["does not end"], None
     faults, errors = [], done.stderr.decode("utf-8", "strict")
     complaints = [line for line in errors.splitlines() if not line.startswith("warning: ")]
-    if done.returncode not in (DONE, REFUSED, UNSTABLE):
+    if done.returncode not in (DONE, REFUSED, UNSTABLE, LOST_SOIL):
         faults.append(f"exit code {done.returncode}")
     if done.returncode == REFUSED and not (len(complaints) == 1 and re.match(
             re.escape(f"scarp: {scene}:") + r"\d+: key '.*' = .*: .+", complaints[0])):
@@ -70,7 +70,7 @@ def faults_of(scene, scarp, out):
     if re.search(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", errors):
         faults.append("control characters")
     results = out / "results.json"
-    if done.returncode in (DONE, UNSTABLE) and not results.exists():
+    if done.returncode in (DONE, UNSTABLE, LOST_SOIL) and not results.exists():
         faults.append("no results.json")
     for path in out.rglob("*.json"):
         faults += number_faults(json.loads(path.read_text("utf-8")), path.name)

@@ -12,8 +12,7 @@ namespace {
 
 constexpr int across = 7;  ///< particles of a block, which is no multiple of a cluster
 
-Body block_at(double x, double y, double z, int dimension) {
-  const double size = across;
+Body block_at(double x, double y, double z, int dimension, double size = across) {
   return {0, Box{{x, y, z}, {x + size, y + size, dimension == 2 ? 0.0 : z + size}}, {}};
 }
 
@@ -53,7 +52,7 @@ TEST(FarApartTest, GrainsThatScatterWidelyAreNoSlowerThanTheirNumber) {
   // Strays on a diagonal, each so far from the next that a box of cells holds 10^10.
   std::vector<Body> bodies{block_at(0, 0, 0, 2)};
   for (int k = 1; k <= 40; ++k)
-    bodies.push_back({0, Box{{k * 1e5, k * 1e5, 0}, {k * 1e5 + 1, k * 1e5 + 1, 0}}, {}});
+    bodies.push_back(block_at(k * 1e5, k * 1e5, 0, 2, 1.0));
   const Simulation simulation = run_steps(blocks(2, bodies), 3);
   EXPECT_EQ(simulation.soil_count(), static_cast<std::size_t>(across * across + 40));
   EXPECT_EQ(simulation.last_step().step, 3u);

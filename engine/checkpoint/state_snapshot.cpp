@@ -258,9 +258,9 @@ void put_lost(const Snapshot& from, State& state) {
   const std::vector<std::int64_t>& first = from.integers("lost/first_and_step", 2);
   lost.first = first[0];
   lost.step = static_cast<std::uint64_t>(first[1]);
-  lost.mass = from.numbers("lost/mass", 1).front();
-  lost.time = from.numbers("lost/time", 1).front();
-  const std::vector<double>& position = from.numbers("lost/position", 3);
+  lost.mass = finite_numbers(from, "lost/mass", 1).front();
+  lost.time = finite_numbers(from, "lost/time", 1).front();
+  const std::vector<double>& position = finite_numbers(from, "lost/position", 3);
   std::copy(position.begin(), position.end(), lost.position.begin());
   lost.stage = from.text("lost/stage");
 }

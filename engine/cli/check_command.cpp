@@ -168,7 +168,7 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
   line("neighbours", fmt::format("{} per particle", lattice_neighbours(scene)));
   line("preset", scene.numerics.preset);
   line("machine", fmt::format("{}, up to {} threads", simulation.isa(), simulation.threads()));
-  line("memory", fmt::format("about {} at most, of which {} hold the state",
+  line("memory", fmt::format("about {} at its peak, of which {} hold the state",
                              readable_bytes(json["memory_bytes"].get<double>()),
                              readable_bytes(static_cast<double>(trial.memory))));
   const double frames = expected_frames(scene, forecast);

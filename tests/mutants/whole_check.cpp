@@ -130,9 +130,9 @@ std::string odd_word(const std::string& text) {
 /// The path of a null that says nothing: the dump of a number that is not finite.
 std::string odd_null(const Json& json, const std::string& path) {
   // Null where nothing is to be told, or the end of a run cannot be known.
-  static constexpr std::array<std::string_view, 7> allowed{
+  static constexpr std::array<std::string_view, 8> allowed{
       "/trial_failure",      "/expected_time_s",      "/expected_steps", "/expected_wall_s",
-      "/rehearsal_complete", "/particle_steps_per_s", "/costs"};
+      "/rehearsal_complete", "/particle_steps_per_s", "/costs",          "/expected_frames"};
   if (json.is_null())
     return std::find(allowed.begin(), allowed.end(), path) == allowed.end() ? path : std::string();
   if (!json.is_structured()) return {};

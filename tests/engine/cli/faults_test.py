@@ -125,7 +125,8 @@ class FaultsTest(SlideRun):
         for size, word in ((frame // 2, "soil_00000.hdf"), (2000, ".csv")):
             scene = (self.folder / "slide.toml").read_text()
             if word == ".csv":
-                (self.folder / "slide.toml").write_text(scene.replace("energy = true", "frames = false"))
+                rows = 'frames = false\nprobes_every = "1 us"'
+                (self.folder / "slide.toml").write_text(scene.replace("energy = true", rows))
             stopped = self.limited(size, "run", "slide.toml", "-o", "short", "-q", "--overwrite")
             self.assertEqual(stopped.returncode, 1)
             self.assertIn(word, stopped.stderr)

@@ -217,10 +217,10 @@ TEST(SceneErrorsTest, WhatLooksDeepInsideTextAndCommentsIsNot) {
     EXPECT_EQ(read_scene_text(title, "bytes").title, deep) << quote;
   }
   EXPECT_NO_THROW(read_scene_text(replaced(slope_text, "2000.0", "2000.0  # " + deep), "bytes"));
-  // A quote that is escaped, and ones that end a text of several lines.
-  const std::string text = "\"\"\"a \\\"\"\" " + deep + "\n'" + deep + "\"\"\"\"\"";
+  // A quote that is escaped, a line end that is, and quotes that end a text of several lines.
+  const std::string text = "\"\"\"a \\\"\"\" " + deep + "\\\n'" + deep + "\"\"\"\"\"";
   EXPECT_EQ(read_scene_text(replaced(slope_text, "\"Cohesive slope\"", text), "bytes").title,
-            "a \"\"\" " + deep + "\n'" + deep + "\"\"");
+            "a \"\"\" " + deep + "'" + deep + "\"\"");
 }
 
 TEST(SceneErrorsTest, ScenesCutOrSpoiltAnywhereNeverCrash) {

@@ -217,7 +217,7 @@ class Support {
     }
     const auto width = [&](std::size_t a) { return high[a] - low[a] + scene_.spacing; };
     return fmt::format(
-        "gravity:{} no wall lies below {} of {} particles ({:.2g} %), {:.3g} m {}wide from {} to "
+        "gravity:{} no wall lies below {} of {} particles ({:.3g} %), {:.3g} m {}wide from {} to "
         "{}: "
         "what comes loose there falls out of the scene. Try a wall below, or walls that meet.",
         moment.words, place.size(), soil_.size(),

@@ -215,7 +215,7 @@ void count_lost_soil(State& state) {
 std::string LostSoil::message(std::size_t all) const {
   const double share = 100.0 * static_cast<double>(particles) / static_cast<double>(all);
   return fmt::format(
-      "soil was lost: {} of {} particles ({:.2g} %) left all walls and soil that could hold them. "
+      "soil was lost: {} of {} particles ({:.3g} %) left all walls and soil that could hold them. "
       "The first: "
       "particle {} at ({:.6g}, {:.6g}, {:.6g}) m, found at {:.6g} s, step {} (stage '{}'). Try "
       "walls "

@@ -298,7 +298,8 @@ Snapshot take_snapshot(const State& state) {
 }
 
 void apply_snapshot(State& state, const Snapshot& snapshot) {
-  const std::string stored = snapshot.text("scene"), here = scene_text(state.scene);
+  const std::string& stored = snapshot.text("scene");
+  const std::string here = scene_text(state.scene);
   if (!only_adds_stages(stored, here)) {
     throw CheckpointError(
         fmt::format("it belongs to another scene: there {}. Try the scene it was written with.",

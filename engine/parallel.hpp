@@ -5,18 +5,32 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <exception>
 #include <vector>
 
 namespace scarp {
 
 /// Calls f(begin, end) for consecutive chunks of [0, count), on `threads` threads, in any order.
-/// Chunks do not depend on the thread count, so neither does any result. Pre: f does not throw.
+/// Chunks do not depend on the thread count, so neither does any result. Errors: the first one that
+/// f throws (no exception may leave an OpenMP region); chunks that have not begun by then are left
+/// out.
 template <class F>
 void parallel_chunks(int threads, std::int64_t count, std::int64_t chunk, F&& f) {
   const std::int64_t chunks = (count + chunk - 1) / chunk;
+  std::atomic<bool> failed = false;
+  std::exception_ptr first;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1) if (threads > 1 && chunks > 1)
-  for (std::int64_t c = 0; c < chunks; ++c) f(c * chunk, std::min(count, (c + 1) * chunk));
+  for (std::int64_t c = 0; c < chunks; ++c) {
+    if (failed.load(std::memory_order_relaxed)) continue;
+    try {
+      f(c * chunk, std::min(count, (c + 1) * chunk));
+    } catch (...) {
+      if (!failed.exchange(true)) first = std::current_exception();
+    }
+  }
+  if (first) std::rethrow_exception(first);
 }
 
 /// The same with a partial result per chunk, merged in order of the chunks: merge(total, partial).

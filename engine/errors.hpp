@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,13 @@ namespace scarp {
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// `RunOptions::stop` asked for an end. No Error, since nothing is wrong: what takes an error as an
+/// answer must not take this for one.
+class Stopped : public std::exception {
+ public:
+  const char* what() const noexcept override { return "stopped on request"; }
 };
 
 /// A scene that cannot be run; the message names file, line, key, value, reason and what to try.
@@ -62,5 +70,9 @@ class SimulationInstability : public Error {
  private:
   std::optional<Instability> what_happened_;
 };
+
+/// Why a run or a command ended, whatever was thrown: its own words, or plain ones where it has
+/// none.
+std::string reason_of(const std::exception_ptr& thrown);
 
 }  // namespace scarp

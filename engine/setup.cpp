@@ -16,6 +16,7 @@
 #include "engine/particles/soil_above.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/state.hpp"
+#include "engine/stop.hpp"
 #include "kernels/constitutive/list.hpp"
 #include "kernels/smoothing/list.hpp"
 
@@ -269,15 +270,17 @@ State make_state(Scene scene, const RunOptions& options) {
         kernels::ElasticModuli{c.bulk_modulus, c.shear_modulus}.wave_modulus());
   }
   set_pair_constants(state);
-  const SoilPoints soil = generate_soil(state.scene);
-  check_wall_clearance(state.scene, soil);
-  state.dummies = generate_dummies(state.scene);
+  const SoilPoints soil = generate_soil(state.scene, state.options.stop);
+  check_wall_clearance(state.scene, soil, state.options.stop);
+  state.dummies = generate_dummies(state.scene, state.options.stop);
   state.wall_offset.assign(state.scene.walls.size(), Vec3{});
   state.wall_stands.assign(state.scene.walls.size(), true);
   state.wall_velocity.assign(state.scene.walls.size(), Vec3{});
   state.hold_force.assign(state.scene.walls.size(), Vec3{});
   fill_particles(state, soil);
+  stop_if_asked(state.options.stop);
   place_walls(state);
+  stop_if_asked(state.options.stop);
   for (const Probe& probe : state.scene.probes) {
     const ChosenParticle chosen = particle_of_probe(state.scene, soil, probe);
     state.probe_particles.push_back({probe.name, static_cast<std::int64_t>(chosen.id),

@@ -13,6 +13,7 @@
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
 #include "engine/state.hpp"
+#include "engine/stop.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace scarp {
@@ -108,6 +109,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 const StepReport& Simulation::step() {
   State& state = owned(impl_).state;
+  stop_if_asked(state.options.stop);
   if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
   if (!state.stage.started) {
     enter_stage(state, 0);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -23,6 +24,9 @@ struct RunOptions {
   int threads = 0;
   std::string isa;  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
   bool oversubscribe = false;  ///< allows up to 16 threads on fewer cores: slow, for tests
+  /// Whether to stop: looked at before each step and within the set-up, by copies of a simulation
+  /// too, in the thread that called. Cheap, and safe to call at any time; empty: never.
+  std::function<bool()> stop = {};
 };
 
 /// Which bound set a time step (THEORY.md section 10): sound in the stiffest soil, approach faster
@@ -137,8 +141,8 @@ struct PhaseTime {
 
 /// Owns the particles of one scene. Not safe for concurrent use of one object; two objects are
 /// independent. Errors: SceneError from the constructor (nothing is left behind),
-/// SimulationInstability from `step()` (state stays readable), Error from every member of an object
-/// that has been moved from.
+/// SimulationInstability from `step()` (state stays readable), Stopped from both (from `step()`
+/// before it changes anything), Error from every member of an object that has been moved from.
 class Simulation {
  public:
   explicit Simulation(Scene scene, const RunOptions& options = {});

@@ -12,7 +12,6 @@
 #include <ctime>
 #include <system_error>
 
-#include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/scene_reader.hpp"
@@ -118,7 +117,8 @@ Simulation CaseRun::solve(const std::string& name, const Scene& scene,
 }
 
 void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWriter* writer,
-                        const std::function<void(const Simulation&)>& each_step) {
+                        const std::function<void(const Simulation&)>& each_step,
+                        const std::function<void(const Simulation&)>& on_stop) {
   if (!options_.quiet) {
     fmt::print(stderr, "{}: {}, {} particles\n", result_.case_name, name, simulation.soil_count());
   }
@@ -137,19 +137,20 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
   const double sound = sound_speed(simulation.scene());
   try {
     do {
-      simulation.step();
+      try {
+        simulation.step();
+      } catch (const Stopped&) {
+        if (on_stop) on_stop(simulation);
+        throw;
+      }
       if (options_.stop_when_supersonic) demand_subsonic(simulation.last_step(), sound);
       if (writer != nullptr) writer->after_step(simulation);
       if (each_step) each_step(simulation);
       progress.update(simulation);
-      if (cli::stop_requested()) throw Stopped();
     } while (!simulation.stage_ended());
-  } catch (const Stopped&) {
+  } catch (...) {
     book();
-    throw;
-  } catch (const SimulationInstability& instability) {
-    book();
-    if (writer != nullptr) writer->finish(simulation, now_s() - start, instability);
+    if (writer != nullptr) writer->end_early(simulation, now_s() - start, std::current_exception());
     throw;
   }
   book();

@@ -35,9 +35,6 @@ struct CaseOptions {
   bool stop_when_supersonic = false;
 };
 
-/// SIGINT or SIGTERM: a step after it the run ends, with a checkpoint where its case writes them.
-struct Stopped {};
-
 /// Particle spacing of each form [m].
 struct Spacings {
   double short_form, main, full;
@@ -70,10 +67,11 @@ class CaseRun {
   Simulation solve(const std::string& name, const Scene& scene,
                    const std::function<void(const Simulation&)>& each_step = {});
 
-  /// Steps until the present stage ends, the steps' cost booked under `name`; `writer` may be null.
-  /// Errors: SimulationInstability, FileError.
+  /// Steps until the present stage ends, the steps' cost booked under `name`; `writer` may be null,
+  /// `on_stop` is that of `scarp::run`. Errors: those of `Simulation::step` and the writer.
   void run_stage(const std::string& name, Simulation& simulation, RunWriter* writer = nullptr,
-                 const std::function<void(const Simulation&)>& each_step = {});
+                 const std::function<void(const Simulation&)>& each_step = {},
+                 const std::function<void(const Simulation&)>& on_stop = {});
 
   void add(Measure measure) { result_.measures.push_back(std::move(measure)); }
   /// Books a run that was not stepped by this class.

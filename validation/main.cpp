@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "engine/cli/ending.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
@@ -24,7 +25,7 @@ namespace scarp::validation {
 
 namespace {
 
-enum ExitCode { ok = 0, failed = 1, usage = 2, interrupted = 130 };
+using cli::failed, cli::ok, cli::usage;
 
 struct Arguments {
   std::vector<std::string> cases;
@@ -62,8 +63,10 @@ bool run_case(const CaseRow& row, const CaseOptions& options) {
   CaseRun run(std::string(row.name), options);
   try {
     row.function(run);
-  } catch (const Error& error) {
-    run.finish(nullptr, error.what());
+  } catch (const Stopped&) {
+    throw;
+  } catch (...) {
+    run.finish(nullptr, reason_of(std::current_exception()));
   }
   if (options.forecast != nullptr) options.forecast->end(std::string(row.name));
   fmt::print("{}", console_table(run.result()));
@@ -106,7 +109,6 @@ int run_command(Arguments& arguments) {
         parse_quantity(bare ? arguments.spacing + " m" : arguments.spacing, kernels::Unit::length);
     if (!(options.spacing > 0.0)) throw UnitError("it is not above 0. Try \"0.5 m\".");
   }
-  cli::catch_interrupts();
   SetForecast forecast(options.quiet);
   forecast_runs(rows, options, forecast);
   if (arguments.forecast_only) return ok;
@@ -122,7 +124,7 @@ int run_command(Arguments& arguments) {
   if (rows.size() > 1) write_overview(options.out);
   if (arguments.json == "-") fmt::print("{}\n", results.dump(2));
   if (!arguments.json.empty() && arguments.json != "-") {
-    replace_file(arguments.json, results.dump(2) + "\n");
+    write_to_target(arguments.json, results.dump(2) + "\n");
   }
   return all_pass ? ok : failed;
 }
@@ -204,9 +206,14 @@ void add_stability(CLI::App& command, StabilityArguments& arguments) {
 int run_program(int argc, char** argv) {
   CLI::App app{"Runs scarp's validation cases and holds them against what is known"};
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 everything judged passes, 1 it does not, 2 bad usage.");
+  app.footer(
+      "Exit codes: 0 everything judged passes, 1 it does not, 2 bad usage, 130 stopped by a "
+      "signal.");
   Arguments arguments;
   CaseOptions& options = arguments.options;
+  for (RunOptions* run_options :
+       {&options.run, &arguments.error_time.options.run, &arguments.stability.run})
+    run_options->stop = cli::stop_requested;
 
   CLI::App* list = app.add_subcommand("list", "The cases, one per line");
 
@@ -256,25 +263,23 @@ int run_program(int argc, char** argv) {
     for (const CaseRow& row : case_list) fmt::print("{:<12} {}\n", row.name, row.sentence);
     return ok;
   }
-  if (*error_time) return error_time_command(arguments.error_time);
-  if (*stability) return stability_command(arguments.stability);
-  return *run ? run_command(arguments) : report_command(arguments.report_folder);
+  try {
+    if (*error_time) return error_time_command(arguments.error_time);
+    if (*stability) return stability_command(arguments.stability);
+    return *run ? run_command(arguments) : report_command(arguments.report_folder);
+  } catch (const Stopped&) {
+    fmt::print(stderr, "To go on: the same command{}\n",
+               *run ? " with --resume; cases that are finished are kept" : "");
+    throw;
+  } catch (const UnitError& error) {
+    throw cli::UsageError(fmt::format("--spacing or --budget: {}", error.what()));
+  }
 }
 
 }  // namespace
 }  // namespace scarp::validation
 
 int main(int argc, char** argv) {
-  try {
-    return scarp::validation::run_program(argc, argv);
-  } catch (const scarp::validation::Stopped&) {
-    fmt::print(stderr, "scarp-validate: stopped; the same command with --resume goes on\n");
-    return scarp::validation::interrupted;
-  } catch (const scarp::UnitError& error) {
-    fmt::print(stderr, "scarp-validate: --spacing or --budget: {}\n", error.what());
-    return scarp::validation::usage;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "scarp-validate: {}\n", error.what());
-    return scarp::validation::failed;
-  }
+  return scarp::cli::end_with_exit_code("scarp-validate",
+                                        [&] { return scarp::validation::run_program(argc, argv); });
 }

@@ -8,7 +8,7 @@
 namespace scarp::validation {
 
 /// Draws the report of a case's folder; returns a line for people: where it is, or why there is
-/// none. Never throws: a machine without Python still has its verdict.
+/// none: a machine without Python still has its verdict. Errors: Stopped.
 std::string write_report(const std::filesystem::path& folder);
 
 }  // namespace scarp::validation

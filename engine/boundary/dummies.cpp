@@ -16,6 +16,7 @@
 #include "engine/boundary/near_test.hpp"
 #include "engine/errors.hpp"
 #include "engine/particles/particle_limit.hpp"
+#include "engine/stop.hpp"
 
 namespace scarp {
 
@@ -66,10 +67,11 @@ class DummyLayout {
     }
   }
 
-  WallDummies lay() {
+  WallDummies lay(const std::function<bool()>& stop) {
     for (const bool above : {true, false}) {
       for (Face& face : faces_) {
         face.grid.for_each_site([&](const Site& site) {
+          stop_if_asked(stop);
           if (face.grid.is_above(site) == above) offer(face, site);
         });
       }
@@ -282,6 +284,8 @@ int wall_layers(const Scene& scene) {
                   static_cast<int>(std::ceil(2.0 * scene.numerics.smoothing_ratio - 0.5 - 1e-9)));
 }
 
-WallDummies generate_dummies(const Scene& scene) { return DummyLayout(scene).lay(); }
+WallDummies generate_dummies(const Scene& scene, const std::function<bool()>& stop) {
+  return DummyLayout(scene).lay(stop);
+}
 
 }  // namespace scarp

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "engine/boundary/smooth_corner.hpp"
@@ -40,6 +41,6 @@ int wall_layers(const Scene& scene);
 /// memory are proportional to the number of sites, and to that of the facets but for a logarithm.
 /// Source: layout after Bui et al. 2008; numerics in kernels/EQUATIONS.md. Errors: SceneError if a
 /// facet is shorter than a spacing or the count exceeds what memory holds.
-WallDummies generate_dummies(const Scene& scene);
+WallDummies generate_dummies(const Scene& scene, const std::function<bool()>& stop = {});
 
 }  // namespace scarp

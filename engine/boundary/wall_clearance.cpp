@@ -13,6 +13,7 @@
 #include "engine/boundary/facet_index.hpp"
 #include "engine/errors.hpp"
 #include "engine/particles/shapes.hpp"
+#include "engine/stop.hpp"
 
 namespace scarp {
 
@@ -56,7 +57,8 @@ std::string advice(const Scene& scene, const Facet& facet, const SoilPoints& soi
 
 }  // namespace
 
-void check_wall_clearance(const Scene& scene, const SoilPoints& soil) {
+void check_wall_clearance(const Scene& scene, const SoilPoints& soil,
+                          const std::function<bool()>& stop) {
   const double tolerance = 1e-6 * scene.spacing;
   const double thickness = wall_layers(scene) * scene.spacing;
   const Faces faces(scene);
@@ -65,6 +67,7 @@ void check_wall_clearance(const Scene& scene, const SoilPoints& soil) {
   std::size_t first = faces.facets.size();
   Vec3 inside{};
   for (const Vec3& point : soil.position) {
+    stop_if_asked(stop);
     index.near(point, near);
     const auto is_inside = [&](std::uint32_t k) {
       const Facet& facet = faces.facets[k];

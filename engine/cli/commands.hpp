@@ -4,23 +4,14 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "engine/cli/ending.hpp"
 #include "engine/simulation.hpp"
 #include "kernels/constitutive/parameter_spec.hpp"
 
 namespace scarp::cli {
-
-/// `lost_soil`: the run reached its end, but soil fell out of it.
-enum ExitCode { ok = 0, failed = 1, usage = 2, unstable = 3, lost_soil = 4, interrupted = 130 };
-
-/// An option's value that cannot be used; the message begins with the option.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// What all commands that take a scene have in common: the scene and what to change in it.
 struct SceneArguments {
@@ -98,6 +89,11 @@ double positive_option(const std::string& option, const std::string& text, const
 
 /// All bytes of a file; empty if it cannot be read.
 std::string read_text(const std::filesystem::path& path);
+
+/// Looks before hours of work whether an option's file can be written at all, and is not the scene.
+/// Errors: UsageError.
+void require_target(const std::string& option, const std::string& target,
+                    const std::string& scene_file);
 
 /// Writes to a file, or to standard output for "-". Errors: FileError.
 void write_text(const std::string& target, const std::string& text);

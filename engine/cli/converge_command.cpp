@@ -12,7 +12,6 @@
 #include "engine/cli/commands.hpp"
 #include "engine/cli/converge_output.hpp"
 #include "engine/cli/folder_claim.hpp"
-#include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/converge/study.hpp"
 #include "engine/errors.hpp"
@@ -94,7 +93,7 @@ std::optional<SpacingRun> earlier_run(const fs::path& folder, const Simulation& 
   }
 }
 
-/// Runs to the end, or leaves outputs marked incomplete if a stop was asked for.
+/// Runs to the end; without one the outputs are marked incomplete.
 void run_to_end(Simulation& simulation, const fs::path& folder,
                 const std::vector<EndQuantity>& quantities, bool quiet) {
   RunWriter writer(simulation, folder);
@@ -111,7 +110,7 @@ void run_to_end(Simulation& simulation, const fs::path& folder,
       }
       writer.set_measures(std::move(measures));
     }
-    return !stop_requested();
+    return true;
   };
   run(simulation, &writer, after_step);
   progress.end();
@@ -132,9 +131,7 @@ std::string forecast(const SpacingRun& done, const std::array<double, 3>& spacin
                      readable_duration(total), dimension + 1);
 }
 
-}  // namespace
-
-int converge_command(const ConvergeArguments& arguments) {
+int converge(const ConvergeArguments& arguments) {
   const Scene own = load_scene(arguments.scene);
   const std::array<double, 3> spacings = chosen_spacings(arguments, own.spacing);
   for (const std::string& warning : warnings(own)) fmt::print(stderr, "warning: {}\n", warning);
@@ -144,7 +141,6 @@ int converge_command(const ConvergeArguments& arguments) {
   const FolderLock lock(folder);
   claim_folder(folder, Command::converge, own, arguments.overwrite);
   const std::vector<EndQuantity> quantities = end_quantities(own);
-  catch_interrupts();
   std::array<SpacingRun, 3> runs;
   std::string isa;
   int threads = 0;
@@ -161,7 +157,6 @@ int converge_command(const ConvergeArguments& arguments) {
                    simulation.soil_count(), place.string());
       }
       run_to_end(simulation, place, quantities, arguments.quiet);
-      if (stop_requested()) return interrupted;
       const LostSoil& lost = simulation.lost_soil();
       if (lost.particles > 0) {
         fmt::print(stderr, "warning: {}\n", lost.message(simulation.soil_count()));
@@ -194,6 +189,17 @@ int converge_command(const ConvergeArguments& arguments) {
     fmt::print(stderr, "no report: {}\n", error.what());
   }
   return code;
+}
+
+}  // namespace
+
+int converge_command(const ConvergeArguments& arguments) {
+  try {
+    return converge(arguments);
+  } catch (const Stopped&) {
+    fmt::print(stderr, "To go on: the same command; runs that are complete are kept.\n");
+    throw;
+  }
 }
 
 }  // namespace scarp::cli

@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+
 #include "engine/cli/commands.hpp"
-#include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
@@ -13,21 +14,11 @@
 #include "engine/plain_text.hpp"
 
 namespace scarp::cli {
-namespace {
-
-void say_how_to_go_on(const RunWriter& writer) {
-  fmt::print(stderr, "To go on{}: scarp resume {}\n",
-             checkpoints_in(writer.folder()).empty() ? " (from the start)" : "",
-             plain_text(writer.folder().string()));
-}
-
-}  // namespace
 
 int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
           const DriveOptions& options) {
   CheckpointWriter checkpoints(simulation, writer, CheckpointWriter::Clock::now, &recovery);
   Progress progress(total_duration(simulation.scene()), options.quiet);
-  catch_interrupts();
   const auto say = [&progress](const std::string& words) {
     if (words.empty()) return;
     progress.end();
@@ -41,61 +32,80 @@ int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
       say(now.lost_soil().message(now.soil_count()) + " The run goes on.");
     }
     recovery.after_step(now, writer);
-    if (!stop_requested() || now.finished()) {
-      say(checkpoints.after_step(now));
-      return true;
-    }
+    say(checkpoints.after_step(now));
+    return true;
+  };
+  const auto on_stop = [&](const Simulation& now) {
     try {
       checkpoints.write(now);
     } catch (const FileError& error) {
       say(fmt::format("no checkpoint of the last step: {}", error.what()));
     }
-    return false;
   };
-  const auto finish = [&] {
+  const auto hand_over = [&] {
     progress.end();
-    if (!options.json.empty())
-      write_text(options.json, read_text(writer.folder() / "results.json"));
+    const std::string results = read_text(writer.folder() / "results.json");
+    if (!options.json.empty() && !results.empty()) write_text(options.json, results);
   };
-  double wall_seconds = 0.0;
-  for (bool again = true; again;) {
-    again = false;
+  const auto summary = [&](const char* how, double wall_seconds) {
+    if (options.quiet) return;
+    fmt::print(stderr, "{} after {} steps, {:.4g} s simulated in {}; results in {}\n", how,
+               simulation.last_step().step, simulation.last_step().time,
+               readable_duration(wall_seconds), plain_text(writer.folder().string()));
+  };
+  const auto began = std::chrono::steady_clock::now();
+  const auto seconds = [began] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  for (;;) {
     try {
-      wall_seconds += run(simulation, &writer, after_step);
+      run(simulation, &writer, after_step, on_stop);
+      hand_over();
+      summary("done", seconds());
+      const LostSoil& at_end = simulation.lost_soil();
+      if (at_end.particles == 0) return ok;
+      say(at_end.message(simulation.soil_count()));
+      return ExitCode::lost_soil;
     } catch (const SimulationInstability& instability) {
       if (const auto retry = recovery.go_back(simulation, writer, instability)) {
         checkpoints.went_back(simulation);
         say(*retry);
-        again = true;
         continue;
       }
-      finish();
+      try {
+        hand_over();
+      } catch (const FileError& error) {
+        say(error.what());
+      }
       fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
                  writer.frame_count(), plain_text(writer.folder().string()));
-      if (const auto good = checkpoints_in(writer.folder()); !good.empty())
-        fmt::print(stderr, "The last good state is {}.\n", plain_text(good.front().string()));
       throw;
-    } catch (const FileError&) {
+    } catch (const Stopped&) {
+      hand_over();
+      summary("stopped", seconds());
+      throw;
+    } catch (...) {
       progress.end();
-      say_how_to_go_on(writer);
       throw;
     }
   }
-  finish();
-  if (!options.quiet) {
-    fmt::print(stderr, "{} after {} steps, {:.4g} s simulated in {}; results in {}\n",
-               simulation.finished() ? "done" : "stopped", simulation.last_step().step,
-               simulation.last_step().time, readable_duration(wall_seconds),
-               plain_text(writer.folder().string()));
+}
+
+int saying_how_to_go_on(const std::filesystem::path& folder, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const SimulationInstability&) {
+    if (const auto good = checkpoints_in(folder); !good.empty())
+      fmt::print(stderr, "The last good state is {}.\n", plain_text(good.front().string()));
+    throw;
+  } catch (...) {
+    if (!run_is_finished(folder)) {
+      fmt::print(stderr, "To go on{}: scarp resume {}\n",
+                 checkpoints_in(folder).empty() ? " (from the start)" : "",
+                 plain_text(folder.string()));
+    }
+    throw;
   }
-  if (simulation.finished()) {
-    const LostSoil& at_end = simulation.lost_soil();
-    if (at_end.particles == 0) return ok;
-    say(at_end.message(simulation.soil_count()));
-    return ExitCode::lost_soil;
-  }
-  say_how_to_go_on(writer);
-  return interrupted;
 }
 
 }  // namespace scarp::cli

@@ -2,6 +2,8 @@
 /// From a simulation at its start, or where it was left, to its end.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 
 #include "engine/output/recovery.hpp"
@@ -15,9 +17,12 @@ struct DriveOptions {
   bool quiet = false;
 };
 
-/// Steps with outputs, progress and checkpoints; a signal ends it with a checkpoint. Returns the
-/// exit code. Errors: SimulationInstability, FileError; both after saying how to go on.
+/// Steps with outputs, progress and checkpoints; asked to stop it leaves a checkpoint. Returns the
+/// exit code. Errors: those of `run`.
 int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
           const DriveOptions& options);
+
+/// Calls `work` on the run of a folder; whatever it throws, a line says how that run goes on.
+int saying_how_to_go_on(const std::filesystem::path& folder, const std::function<int()>& work);
 
 }  // namespace scarp::cli

@@ -208,6 +208,7 @@ int element_command(const ElementArguments& arguments) {
   test.strain = arguments.strain;
   test.steps = arguments.steps;
   const Scene scene = load_scene(arguments.scene);
+  require_target("--out", arguments.table, arguments.scene.file);
   test.material = material_of(scene, arguments.material);
   const ElementResult result = run_element(scene, test, arguments.scene.options);
 

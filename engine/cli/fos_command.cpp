@@ -68,7 +68,7 @@ class TrialProgress {
   bool operator()(const Simulation& now) {
     if (!bar_) bar_.emplace(total_duration(now.scene()), quiet_);
     bar_->update(now);
-    return !stop_requested();
+    return true;
   }
   void end() {
     if (bar_) bar_->end();
@@ -207,26 +207,8 @@ void remember(SearchRecord& known, const FactorOfSafety& found, const Trial& tri
   known.trials.push_back(trial);
 }
 
-int say_how_to_go_on(const fs::path& folder) {
-  fmt::print(stderr, "Stopped; what has been found is in {}. To go on: the same command again.\n",
-             folder.string());
-  return interrupted;
-}
-
-}  // namespace
-
-int fos_command(const FosArguments& arguments) {
-  const Scene scene = load_scene(arguments.scene);
-  const SearchOptions search = search_options(arguments);
-  const CriterionOptions options = criterion_options(arguments, scene);
-  check_reducible(scene);
-  FosReport report;
-  report.criterion = choose_criterion(scene, options);
-  for (const std::string& warning : warnings(scene)) fmt::print(stderr, "warning: {}\n", warning);
-  const fs::path folder = output_folder(arguments, scene);
-  const FolderLock lock(folder);
-  claim_folder(folder, Command::fos, scene, arguments.overwrite);
-  catch_interrupts();
+int search_in(const fs::path& folder, const Scene& scene, const FosArguments& arguments,
+              const SearchOptions& search, FosReport report) {
   SearchRecord record;
   {
     const Simulation start(scene, arguments.scene.options);
@@ -239,7 +221,7 @@ int fos_command(const FosArguments& arguments) {
   TrialProgress progress(arguments.quiet);
   std::optional<StrengthReduction> standing =
       settle(scene, arguments, report, record, folder, progress);
-  if (!standing) return say_how_to_go_on(folder);
+  if (!standing) throw Stopped();
   StrengthReduction& slope = *standing;
   CsvFile table(folder / "fos.csv", trial_titles());
   if (!arguments.quiet && !record.trials.empty())
@@ -262,30 +244,34 @@ int fos_command(const FosArguments& arguments) {
     record.ended = true;
     write_search(folder, record);
   };
+  const auto keep_what_is_known = [&] {
+    progress.end();
+    report.failure = reason_of(std::current_exception());
+    write_outputs(report, slope.settled(), folder, arguments);
+  };
   const std::vector<Trial> known = record.trials;
   try {
     report.found = find_factor(slope, search, std::ref(progress), done, known);
     progress.end();
-    if (stop_requested()) report.failure = "stopped on request";
     const std::optional<double> fails = report.found.bracket.fails;
     const bool shown = fails && record.failure_run == fails && run_is_finished(folder / "failure");
-    if (report.failure.empty() && fails && !shown) {
+    if (fails && !shown) {
       run_failure(slope, *fails, folder / "failure", std::ref(progress));
       progress.end();
-      if (!stop_requested()) record.failure_run = fails;
+      record.failure_run = fails;
     }
   } catch (const SceneError&) {  // nothing to go on with
     end_search();
     throw;
-  } catch (const SimulationInstability& instability) {  // what is known stays
-    progress.end();
-    report.failure = instability.what();
+  } catch (const SimulationInstability&) {
+    keep_what_is_known();
     end_search();
-    write_outputs(report, slope.settled(), folder, arguments);
+    throw;
+  } catch (...) {
+    keep_what_is_known();
     throw;
   }
   write_outputs(report, slope.settled(), folder, arguments);
-  if (stop_requested()) return say_how_to_go_on(folder);
   end_search();
   try {  // without Python the numbers are there all the same
     report_command(folder.string(), arguments.scene.json == "-");
@@ -293,6 +279,32 @@ int fos_command(const FosArguments& arguments) {
     fmt::print(stderr, "no report: {}\n", error.what());
   }
   return report.found.bracket.complete ? ok : failed;
+}
+
+}  // namespace
+
+int fos_command(const FosArguments& arguments) {
+  const Scene scene = load_scene(arguments.scene);
+  const SearchOptions search = search_options(arguments);
+  const CriterionOptions options = criterion_options(arguments, scene);
+  check_reducible(scene);
+  FosReport report;
+  report.criterion = choose_criterion(scene, options);
+  for (const std::string& warning : warnings(scene)) fmt::print(stderr, "warning: {}\n", warning);
+  const fs::path folder = output_folder(arguments, scene);
+  const FolderLock lock(folder);
+  claim_folder(folder, Command::fos, scene, arguments.overwrite);
+  try {
+    return search_in(folder, scene, arguments, search, std::move(report));
+  } catch (const SceneError&) {
+    throw;
+  } catch (const SimulationInstability&) {
+    throw;
+  } catch (...) {
+    fmt::print(stderr, "What has been found is in {}. To go on: the same command again.\n",
+               plain_text(folder.string()));
+    throw;
+  }
 }
 
 }  // namespace scarp::cli

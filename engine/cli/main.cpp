@@ -5,17 +5,13 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
 #include "engine/cli/commands.hpp"
+#include "engine/cli/interrupt.hpp"
 #include "engine/element/element_path.hpp"
-#include "engine/errors.hpp"
 #include "engine/fos/limit_search.hpp"
-#include "engine/plain_text.hpp"
 #include "engine/team.hpp"
 
 namespace {
@@ -154,8 +150,7 @@ int run_program(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 error, 2 bad usage, 3 the run became unstable, 4 the run ended but "
-      "lost "
-      "soil, 130 interrupted.");
+      "lost soil, 130 stopped by a signal.");
 
   RunArguments run;
   CLI::App* run_app = app.add_subcommand("run", "Run a scene; leaves frames, tables, results.json");
@@ -207,6 +202,11 @@ int run_program(int argc, char** argv) {
       ->check(CLI::ExistingDirectory);
 
   refuse_empty_values(app);
+  for (scarp::RunOptions* options :
+       {&run.scene.options, &resume.options, &check.scene.options, &converge.scene.options,
+        &fos.scene.options, &element.scene.options})
+    options->stop = stop_requested;
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -232,19 +232,5 @@ int main(int argc, char** argv) {
   constexpr int given_back = 1 << 18;
   mallopt(M_MMAP_THRESHOLD, given_back);
 #endif
-  try {
-    return run_program(argc, argv);
-  } catch (const UsageError& error) {
-    fmt::print(stderr, "scarp: {}\n", scarp::plain_text(error.what()));
-    return usage;
-  } catch (const scarp::SimulationInstability& error) {
-    fmt::print(stderr, "scarp: {}\n", scarp::plain_text(error.what()));
-    return unstable;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "scarp: not enough memory for this scene; try a larger spacing.\n");
-    return failed;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "scarp: {}\n", scarp::plain_text(error.what()));
-    return failed;
-  }
+  return end_with_exit_code("scarp", [&] { return run_program(argc, argv); });
 }

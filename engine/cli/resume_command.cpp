@@ -148,6 +148,7 @@ int threads_of(const RunRecord& record) {
 }  // namespace
 
 int resume_command(const ResumeArguments& arguments) {
+  require_target("--json", arguments.json, {});
   Run run;
   run.folder = arguments.folder;
   RunRecord record = read_record(run.folder);
@@ -185,8 +186,10 @@ int resume_command(const ResumeArguments& arguments) {
   for (const std::string& warning : resumed->writer.warnings())
     fmt::print(stderr, "warning: {}\n", warning);
   if (!arguments.quiet) say_where(*resumed, run.folder, over);
-  return drive(resumed->simulation, resumed->writer, std::move(resumed->recovery),
-               {arguments.json, arguments.quiet});
+  return saying_how_to_go_on(run.folder, [&] {
+    return drive(resumed->simulation, resumed->writer, std::move(resumed->recovery),
+                 {arguments.json, arguments.quiet});
+  });
 }
 
 }  // namespace scarp::cli

@@ -20,6 +20,7 @@
 #include "engine/scene/scene_reader.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/scene/warnings.hpp"
+#include "engine/stop.hpp"
 
 namespace scarp::cli {
 double option_value(const std::string& option, const std::string& text, const char* bare_unit,
@@ -52,7 +53,10 @@ SceneOverrides overrides_of(const SceneArguments& arguments) {
 }  // namespace
 
 Scene load_scene(const SceneArguments& arguments) {
-  return read_scene(arguments.file, overrides_of(arguments));
+  require_target("--json", arguments.json, arguments.file);
+  Scene scene = read_scene(arguments.file, overrides_of(arguments));
+  stop_if_asked(arguments.options.stop);
+  return scene;
 }
 
 std::string read_text(const std::filesystem::path& path) {
@@ -60,11 +64,26 @@ std::string read_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+void require_target(const std::string& option, const std::string& target,
+                    const std::string& scene_file) {
+  namespace fs = std::filesystem;
+  if (target.empty() || target == "-") return;
+  std::error_code error;
+  const auto refuse = [&](const char* why) {
+    throw UsageError(fmt::format("{}: '{}' {}. Try another file.", option, target, why));
+  };
+  if (fs::equivalent(target, scene_file, error)) refuse("is the scene itself");
+  if (fs::is_directory(target, error)) refuse("is a folder");
+  const fs::path folder = fs::path(target).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, error))
+    refuse("lies in a folder that is not there");
+}
+
 void write_text(const std::string& target, const std::string& text) {
   if (target == "-") {
     fmt::print("{}", text);
   } else {
-    replace_file(target, text);
+    write_to_target(target, text);
   }
 }
 
@@ -88,9 +107,11 @@ int run_command(const RunArguments& arguments) {
   claim_folder(folder, Command::run, scene, arguments.overwrite);
   begin_run(folder, {program_version(), scene.file, scene.text, overrides_of(arguments.scene),
                      simulation.isa(), arguments.scene.options.threads});
-  RunWriter writer(simulation, folder);
-  return drive(simulation, writer, Recovery(simulation, writer),
-               {arguments.scene.json, arguments.quiet});
+  return saying_how_to_go_on(folder, [&] {
+    RunWriter writer(simulation, folder);
+    return drive(simulation, writer, Recovery(simulation, writer),
+                 {arguments.scene.json, arguments.quiet});
+  });
 }
 
 }  // namespace scarp::cli

@@ -10,6 +10,7 @@
 
 #include "engine/element/material_point.hpp"
 #include "engine/errors.hpp"
+#include "engine/stop.hpp"
 
 namespace scarp {
 namespace {
@@ -183,6 +184,7 @@ ElementResult run_element(const Scene& scene, const ElementTest& test, const Run
   StressControl stress_control(point, control, start_stress, test.steps);
   PointState state = start;
   for (int n = 1; n <= test.steps; ++n) {
+    stop_if_asked(options.stop);
     try {
       state = stress_control.step(state);
     } catch (const Error& error) {

@@ -71,6 +71,17 @@ class Stopwatch {
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
+template <class Kind>
+const Kind* as(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const Kind& kind) {
+    return &kind;  // lives as long as `thrown`
+  } catch (...) {
+    return nullptr;
+  }
+}
+
 std::string case_name(const Scene& scene, const std::filesystem::path& folder) {
   const std::filesystem::path named =
       scene.file.empty() ? folder : std::filesystem::path(scene.file);
@@ -209,13 +220,23 @@ void RunWriter::finish(const Simulation& simulation, double wall_seconds,
   write_frame(simulation, failure.empty() ? "last" : "stopped");
   if (frames_) frames_->write_lists();
   write_row(simulation);
+  write_results(simulation, wall_seconds, failure, measures_of(simulation));
+}
+
+std::vector<Measure> RunWriter::measures_of(const Simulation& simulation) const {
+  return measures_ ? *measures_ : basic_measures(simulation);
+}
+
+void RunWriter::write_results(const Simulation& simulation, double wall_seconds,
+                              const std::string& failure,
+                              const std::vector<Measure>& measures) const {
   const LostSoil& lost = simulation.lost_soil();
-  write_results(
+  scarp::write_results(
       folder_ / "results.json", simulation,
       {case_name(simulation.scene(), folder_),
        seconds_before_ + wall_seconds,
        stages_,
-       measures_ ? *measures_ : basic_measures(simulation),
+       measures,
        failure.empty() && lost.particles > 0 ? lost.message(simulation.soil_count()) : failure,
        instability_,
        retries_,
@@ -244,10 +265,34 @@ double RunWriter::seconds_so_far() const {
          std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
 }
 
-void RunWriter::finish(const Simulation& simulation, double wall_seconds,
-                       const SimulationInstability& instability) {
-  instability_ = instability.what_happened();
-  finish(simulation, wall_seconds, std::string(instability.what()));
+std::string RunWriter::end_early(const Simulation& simulation, double wall_seconds,
+                                 const std::exception_ptr& why) noexcept {
+  std::string missing;
+  // Each for itself: on a full disk or without memory some of it still goes through.
+  const auto attempt = [&missing](const char* part, const auto& write) {
+    try {
+      write();
+    } catch (...) {
+      if (missing.empty())
+        missing = fmt::format("The {} could not be written: {}", part,
+                              reason_of(std::current_exception()));
+    }
+  };
+  try {
+    const std::string reason = reason_of(why);
+    if (const auto* unstable = as<SimulationInstability>(why))
+      instability_ = unstable->what_happened();
+    if (as<FileError>(why) ==
+        nullptr) {  // a full disk takes no more, and the state is not to blame
+      attempt("last frame", [&] { write_frame(simulation, "stopped"); });
+      attempt("last row", [&] { write_row(simulation); });
+    }
+    std::vector<Measure> measures;
+    attempt("measures", [&] { measures = measures_of(simulation); });
+    attempt("results", [&] { write_results(simulation, wall_seconds, reason, measures); });
+  } catch (...) {  // without memory even for the words
+  }
+  return missing;
 }
 
 void RunWriter::write_frame(const Simulation& simulation, std::string_view event) {
@@ -267,7 +312,8 @@ void RunWriter::write_row(const Simulation& simulation) {
 }
 
 double run(Simulation& simulation, RunWriter* writer,
-           const std::function<bool(const Simulation&)>& proceed) {
+           const std::function<bool(const Simulation&)>& proceed,
+           const std::function<void(const Simulation&)>& on_stop) {
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -275,17 +321,22 @@ double run(Simulation& simulation, RunWriter* writer,
   std::string stopped;
   try {
     while (stopped.empty() && !simulation.finished()) {
-      simulation.step();
+      try {
+        simulation.step();
+      } catch (const Stopped&) {
+        if (on_stop) on_stop(simulation);
+        throw;
+      }
       if (writer) writer->after_step(simulation);
       if (proceed && !proceed(simulation)) stopped = "stopped on request";
     }
   } catch (const SimulationInstability& instability) {
-    try {
-      if (writer) writer->finish(simulation, seconds(), instability);
-    } catch (const FileError& error) {
-      throw SimulationInstability(fmt::format("{}\nThe last state could not be written: {}",
-                                              instability.what(), error.what()));
-    }
+    const std::string missing =
+        writer ? writer->end_early(simulation, seconds(), std::current_exception()) : "";
+    if (missing.empty()) throw;
+    throw SimulationInstability(fmt::format("{}\n{}", instability.what(), missing));
+  } catch (...) {
+    if (writer) writer->end_early(simulation, seconds(), std::current_exception());
     throw;
   }
   const double wall_seconds = seconds();

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -40,9 +41,11 @@ class RunWriter {
   /// did not reach its end. Errors: FileError.
   void finish(const Simulation& simulation, double wall_seconds, const std::string& failure = {});
 
-  /// The same for a run that became unstable.
-  void finish(const Simulation& simulation, double wall_seconds,
-              const SimulationInstability& instability);
+  /// The end of every run that came to none of its own, whatever was thrown: as much of the last
+  /// state as can be written, and results.json that says why. Returns what could not be written, in
+  /// words; empty if all was.
+  std::string end_early(const Simulation& simulation, double wall_seconds,
+                        const std::exception_ptr& why) noexcept;
 
   /// Takes back what was written since `progress` was a snapshot, and goes on from there with
   /// `simulation`; the retry stands in the results. Errors: FileError.
@@ -70,6 +73,9 @@ class RunWriter {
   double seconds_so_far() const;  ///< wall time since the run began
   void write_frame(const Simulation& simulation, std::string_view event);
   void write_row(const Simulation& simulation);
+  std::vector<Measure> measures_of(const Simulation& simulation) const;
+  void write_results(const Simulation& simulation, double wall_seconds, const std::string& failure,
+                     const std::vector<Measure>& measures) const;
 
   std::filesystem::path folder_;
   std::optional<FrameWriter> frames_;
@@ -90,9 +96,11 @@ class RunWriter {
 
 /// Steps until the last stage has ended; returns the wall time of these steps [s]. `writer` may be
 /// null. `proceed` is called after each step; false ends the run early, with its outputs finished
-/// and marked incomplete. Errors: those of `Simulation::step()` and of the writer; after
-/// SimulationInstability the outputs have been finished and hold the last state.
+/// and marked incomplete. `on_stop` is called between two steps where `RunOptions::stop` asks for
+/// an end, before the outputs are finished: the moment for a checkpoint. Errors: those of
+/// `Simulation::step()`, of the writer and of `proceed`, after `RunWriter::end_early`.
 double run(Simulation& simulation, RunWriter* writer,
-           const std::function<bool(const Simulation&)>& proceed = {});
+           const std::function<bool(const Simulation&)>& proceed = {},
+           const std::function<void(const Simulation&)>& on_stop = {});
 
 }  // namespace scarp

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -54,21 +55,50 @@ class Descriptor {
   int number_;
 };
 
+/// Through a new file beside it. Whatever lies at its name, a link that leads elsewhere above all,
+/// is removed and not written through.
+void replace(const std::filesystem::path& path, std::span<const std::string_view> parts,
+             bool durably) {
+  std::filesystem::path part = path;
+  part += ".part";
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  try {
+    Descriptor file(part, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    for (const std::string_view text : parts) file.write(text);
+    if (durably && ::fsync(file.get()) != 0) fail(path, errno);
+    if (file.close() != 0) fail(path, errno);
+    if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, errno);
+  } catch (const FileError&) {
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
+}
+
+std::filesystem::path end_of_links(std::filesystem::path path) {
+  constexpr int most = 40;  // as the system allows
+  std::error_code error;
+  for (int k = 0; k < most && std::filesystem::is_symlink(path, error); ++k)
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);  // may be absolute
+  return path;
+}
+
 }  // namespace
 
 void replace_file(const std::filesystem::path& path, std::string_view text) {
-  std::filesystem::path part = path;
-  part += ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
+  replace(path, std::array{text}, false);
+}
+
+void write_to_target(const std::filesystem::path& target, std::string_view text) {
   std::error_code error;
-  if (!stream) {
-    std::filesystem::remove(part, error);
-    fail(path);
+  const std::filesystem::file_status found = std::filesystem::status(target, error);
+  if (std::filesystem::exists(found) && !std::filesystem::is_regular_file(found)) {
+    Descriptor stream(target, O_WRONLY);
+    stream.write(text);
+    if (stream.close() != 0) fail(target, errno);
+    return;
   }
-  std::filesystem::rename(part, path, error);
-  if (error) fail(path);
+  replace_file(end_of_links(target), text);
 }
 
 void flush_to_disk(const std::filesystem::path& path) {
@@ -78,19 +108,7 @@ void flush_to_disk(const std::filesystem::path& path) {
 
 void replace_file_durably(const std::filesystem::path& path,
                           std::span<const std::string_view> parts) {
-  std::filesystem::path part = path;
-  part += ".part";
-  try {
-    Descriptor file(part, O_WRONLY | O_CREAT | O_TRUNC);
-    for (const std::string_view text : parts) file.write(text);
-    if (::fsync(file.get()) != 0) fail(path, errno);
-    if (file.close() != 0) fail(path, errno);
-    if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, errno);
-  } catch (const FileError&) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw;
-  }
+  replace(path, parts, true);
   flush_to_disk(path.parent_path());
 }
 

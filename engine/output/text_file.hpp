@@ -17,8 +17,12 @@ namespace scarp {
 /// Writes "PATH.part", then renames it, so that a reader never sees half a file. Errors: FileError.
 void replace_file(const std::filesystem::path& path, std::string_view text);
 
-/// The same for data that must survive a power cut: the parts, one behind the other, are on the
-/// disk before PATH names them. Errors: FileError; what was at PATH stays.
+/// Writes where a user points to: a file at the end of links is replaced, and the links stay; into
+/// a device, a pipe or a socket the text is written as into any stream. Errors: FileError.
+void write_to_target(const std::filesystem::path& target, std::string_view text);
+
+/// As `replace_file`, for data that must survive a power cut: the parts, one behind the other, are
+/// on the disk before PATH names them. Errors: FileError; what was at PATH stays.
 void replace_file_durably(const std::filesystem::path& path,
                           std::span<const std::string_view> parts);
 

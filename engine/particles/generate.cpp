@@ -12,6 +12,7 @@
 #include "engine/particles/particle_limit.hpp"
 #include "engine/particles/shapes.hpp"
 #include "engine/scene/expression.hpp"
+#include "engine/stop.hpp"
 
 namespace scarp {
 namespace {
@@ -42,8 +43,11 @@ struct Lattice {
 
 class LatticeFill {
  public:
-  explicit LatticeFill(const Scene& scene)
-      : scene_(scene), up_(scene.dimension == 2 ? 1 : 2), limit_(most_particles(scene)) {
+  LatticeFill(const Scene& scene, const std::function<bool()>& stop)
+      : scene_(scene),
+        stop_(stop),
+        up_(scene.dimension == 2 ? 1 : 2),
+        limit_(most_particles(scene)) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) shapes_.push_back(column_shape(scene, b));
     if (!shapes_.empty()) lattice_ = {shapes_[0].minimum, scene.spacing};
   }
@@ -83,6 +87,7 @@ class LatticeFill {
   void for_each_column(const ColumnShape& shape, const Visit& visit) const {
     const Sites xs = plan_sites(shape, 0), ys = plan_sites(shape, 1);
     for (std::int64_t i = xs.first; i <= xs.last; ++i) {
+      stop_if_asked(stop_);
       for (std::int64_t j = ys.first; j <= ys.last; ++j) {
         if (!visit(lattice_.at(0, i), up_ == 1 ? 0.0 : lattice_.at(1, j))) return;
       }
@@ -227,6 +232,7 @@ class LatticeFill {
   }
 
   const Scene& scene_;
+  const std::function<bool()>& stop_;
   std::size_t up_;
   double limit_;
   std::vector<ColumnShape> shapes_;
@@ -237,8 +243,12 @@ class LatticeFill {
 
 }  // namespace
 
-std::vector<double> estimate_particles(const Scene& scene) { return LatticeFill(scene).estimate(); }
+std::vector<double> estimate_particles(const Scene& scene) {
+  return LatticeFill(scene, {}).estimate();
+}
 
-SoilPoints generate_soil(const Scene& scene) { return LatticeFill(scene).fill(); }
+SoilPoints generate_soil(const Scene& scene, const std::function<bool()>& stop) {
+  return LatticeFill(scene, stop).fill();
+}
 
 }  // namespace scarp

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "engine/scene/scene.hpp"
@@ -21,7 +22,7 @@ struct SoilPoints {
 /// faces at multiples of the spacing are met exactly. A point that lies in several bodies belongs
 /// to the first. Errors: SceneError if a body holds no lattice point or the count exceeds what
 /// memory can hold.
-SoilPoints generate_soil(const Scene& scene);
+SoilPoints generate_soil(const Scene& scene, const std::function<bool()>& stop = {});
 
 /// About how many particles each material has, from at most 20000 columns of each body, evenly
 /// spread; exact where a scene has no more, and quick however large it is.

@@ -2,6 +2,12 @@
 /// The number of threads changes nothing; under the thread sanitizer, nothing is shared unguarded.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
+#include <stdexcept>
+
+#include "engine/errors.hpp"
+#include "engine/parallel.hpp"
 #include "engine/simulation.hpp"
 
 namespace scarp {
@@ -65,6 +71,55 @@ TEST(SimulationThreadsTest, GiveTheSameBitsForAnyNumber) {
     EXPECT_EQ(one.plastic_work, more.plastic_work);
     EXPECT_EQ(one.viscous_work, more.viscous_work);
   }
+}
+
+TEST(ParallelChunksTest, HandOnWhatAChunkThrows) {
+  for (const int threads : {1, 2, 3}) {
+    std::atomic<int> done = 0;
+    const auto work = [&](std::int64_t begin, std::int64_t) {
+      if (begin == 50) throw std::bad_alloc();
+      ++done;
+    };
+    EXPECT_THROW(parallel_chunks(threads, 1000, 10, work), std::bad_alloc);
+    EXPECT_LT(done, 100);
+    // What comes after is not marked by it.
+    done = 0;
+    parallel_chunks(threads, 1000, 10, [&](std::int64_t, std::int64_t) { ++done; });
+    EXPECT_EQ(done, 100);
+  }
+}
+
+TEST(ParallelChunksTest, EveryChunkMayThrow) {
+  const auto fail = [](std::int64_t, std::int64_t) -> int { throw std::length_error("all"); };
+  const auto merge = [](int& total, int part) { total += part; };
+  EXPECT_THROW(parallel_reduce(3, 1000, 1, 0, fail, merge), std::length_error);
+}
+
+TEST(StopTest, ComesBetweenTwoStepsAndTheRunCanGoOn) {
+  int asked = 0, stop_at = 5;
+  RunOptions options;
+  options.threads = 1;
+  Simulation undisturbed(thrown_block(), options);
+  for (int step = 0; step < 6; ++step) undisturbed.step();
+  RunOptions stopping = options;
+  stopping.stop = [&] { return stop_at == asked; };
+  Simulation simulation(thrown_block(), stopping);
+  EXPECT_THROW(for (int step = 0; step < 100; ++step, ++asked) simulation.step(), Stopped);
+  EXPECT_EQ(simulation.last_step().step, 5u);
+  stop_at = -1;
+  simulation.step();
+  EXPECT_EQ(simulation.field("position"), undisturbed.field("position"));
+  stop_at = asked;
+  Simulation copy = simulation.clone();
+  EXPECT_THROW(copy.step(), Stopped);
+}
+
+TEST(StopTest, ReachesTheSetUp) {
+  RunOptions options;
+  int looks = 0;
+  options.stop = [&looks] { return ++looks == 40; };
+  EXPECT_THROW(Simulation(thrown_block(), options), Stopped);
+  EXPECT_EQ(looks, 40);
 }
 
 }  // namespace

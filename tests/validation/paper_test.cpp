@@ -144,6 +144,7 @@ TEST(StudyRunDeathTest, AnInterruptLeavesACheckpointAndTheCosts) {
   const auto interrupted = [] {
     CaseOptions options;
     options.quiet = true;
+    options.run.stop = cli::stop_requested;
     options.out = std::filesystem::path(testing::TempDir()) / "study_interrupt_test";
     std::filesystem::remove_all(options.out);
     CaseRun run("case", options);

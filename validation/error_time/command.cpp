@@ -68,7 +68,7 @@ int error_time_command(const ErrorTimeArguments& arguments) {
   if (arguments.json == "-") {
     fmt::print("{}", json);
   } else if (!arguments.json.empty()) {
-    replace_file(arguments.json, json);
+    write_to_target(arguments.json, json);
   }
   std::fflush(stdout);
   fmt::print(stderr, "{}\n", write_report(options.out));

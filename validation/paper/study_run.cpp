@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "engine/checkpoint/scene_text.hpp"
-#include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
 #include "engine/output/checkpoint_writer.hpp"
@@ -56,7 +55,6 @@ void step_to_the_end(CaseRun& run, const StudyRun& study, const Observer& observ
     const std::size_t known = outcome.values.size();
     if (observer.each_step) observer.each_step(now, outcome);
     if (observer.stage_is_over && observer.stage_is_over(now)) simulation.end_stage();
-    if (cli::stop_requested()) checkpoints.write(now);
     if (outcome.values.size() != known) write_outcome(folder, outcome);
     const std::string warning = checkpoints.after_step(now);
     if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
@@ -68,7 +66,8 @@ void step_to_the_end(CaseRun& run, const StudyRun& study, const Observer& observ
       const auto& stages = simulation.scene().stages;
       try {
         run.run_stage(fmt::format("{}: {}", study.name, stages[next].name), simulation,
-                      &begun.writer, each_step);
+                      &begun.writer, each_step,
+                      [&](const Simulation& now) { checkpoints.write(now); });
       } catch (const Stopped&) {
         outcome.costs.push_back(run.result().runs.back());
         write_outcome(folder, outcome);

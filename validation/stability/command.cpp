@@ -77,7 +77,7 @@ int stability_command(const StabilityArguments& arguments) {
   if (arguments.json == "-") {
     fmt::print("{}", json);
   } else {
-    if (!arguments.json.empty()) replace_file(arguments.json, json);
+    if (!arguments.json.empty()) write_to_target(arguments.json, json);
     for (const std::string& line : map_sentences(outcomes)) fmt::print("{}\n", line);
   }
   std::fflush(stdout);

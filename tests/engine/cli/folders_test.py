@@ -268,14 +268,20 @@ class FoldersTest(unittest.TestCase):
 
     FOS = ["fos", "slope.toml", "-o", "out", "--from", "1.2", "--to", "1.6"]
 
-    def interrupt_search(self, word, *more):
-        """A search stopped at the first line that begins with a word; what it had said."""
+    def kept(self):
+        return sorted(path.name for path in self.out.glob("checkpoints/*.h5"))
+
+    def interrupt_search(self, word, *more, past=None):
+        """A search stopped at the first line that begins with a word, and not before it has kept other states than
+        those in `past`; what it had said."""
         said = ""
         with subprocess.Popen([SCARP, *self.FOS, "--threads", "1", *more], cwd=self.folder, stdout=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, text=True) as process:
             for line in process.stderr:
                 said += line
                 if line.startswith(word):
+                    while process.poll() is None and past is not None and self.kept() in (past, []):
+                        time.sleep(0.002)
                     process.send_signal(signal.SIGINT)
                     break
             said += process.stderr.read()
@@ -329,13 +335,14 @@ class FoldersTest(unittest.TestCase):
         self.assertNotIn("known", done.stderr)
 
     def test_a_search_stopped_while_it_settles_goes_on_from_there(self):
-        (self.folder / "slope.toml").write_text(SLOPE.replace('"1 m"', '"0.25 m"'))
-        self.interrupt_search("expected at most")
-        first = [path.name for path in self.out.glob("checkpoints/*.h5")]
+        scene = SLOPE.replace('"1 m"', '"0.25 m"') + '[checkpoint]\nwall_every = "100 ms"\n'
+        (self.folder / "slope.toml").write_text(scene)
+        self.interrupt_search("expected at most", past=[])
+        first = self.kept()
         self.assertEqual(len(first), 1)
-        said = self.interrupt_search("goes on with the state")
+        said = self.interrupt_search("goes on with the state", past=first)
         self.assertNotIn("expected at most", said)
-        second = [path.name for path in self.out.glob("checkpoints/*.h5")]
+        second = self.kept()
         self.assertEqual(len(second), 1)
         self.assertGreater(second, first)
 

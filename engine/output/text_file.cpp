@@ -56,13 +56,12 @@ class Descriptor {
 };
 
 /// Through a new file beside it. Whatever lies at its name, a link that leads elsewhere above all,
-/// is removed and not written through.
+/// is removed and not written through; a folder there stays and is an error.
 void replace(const std::filesystem::path& path, std::span<const std::string_view> parts,
              bool durably) {
   std::filesystem::path part = path;
   part += ".part";
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
+  ::unlink(part.c_str());
   try {
     Descriptor file(part, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
     for (const std::string_view text : parts) file.write(text);
@@ -70,7 +69,7 @@ void replace(const std::filesystem::path& path, std::span<const std::string_view
     if (file.close() != 0) fail(path, errno);
     if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, errno);
   } catch (const FileError&) {
-    std::filesystem::remove(part, ignored);
+    ::unlink(part.c_str());
     throw;
   }
 }

@@ -61,6 +61,7 @@ Vec3 FaceGrid::position(const Site& site, double depth) const {
 }
 
 bool FaceGrid::holds(const Vec3& point, double tolerance) const {
+  if (layers_ == 0) return false;
   const double thickness = static_cast<double>(layers_) * spacing_;
   const FacetCoordinates at = coordinates(facet_, dimension_, point);
   if (at.depth < -tolerance || at.depth > thickness + tolerance) return false;

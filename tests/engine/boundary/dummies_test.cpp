@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/boundary/face_grid.hpp"
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/boundary/facet_index.hpp"
 #include "engine/boundary/wall_clearance.hpp"
@@ -277,6 +278,10 @@ TEST(GenerateDummiesTest, GateSunkIntoTheBaseOrAtItsEndLeavesTheBaseWhole) {
     const std::size_t below = line[0][0] > 9.0 ? 69U : 60U;
     EXPECT_EQ(dummies.position.size(), below + 18U);
   }
+}
+
+TEST(FaceGridTest, WithoutSitesHoldsNoPlace) {
+  EXPECT_FALSE(FaceGrid().holds({0.0, 0.0, 0.0}, 1e-6));
 }
 
 TEST(GenerateDummiesTest, SmoothWallsLayNoneAndTakeNone) {

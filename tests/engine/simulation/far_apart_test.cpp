@@ -51,8 +51,7 @@ TEST(FarApartTest, TwoBodiesOnADiagonalDoAsOneAlone) {
 TEST(FarApartTest, GrainsThatScatterWidelyAreNoSlowerThanTheirNumber) {
   // Strays on a diagonal, each so far from the next that a box of cells holds 10^10.
   std::vector<Body> bodies{block_at(0, 0, 0, 2)};
-  for (int k = 1; k <= 40; ++k)
-    bodies.push_back(block_at(k * 1e5, k * 1e5, 0, 2, 1.0));
+  for (int k = 1; k <= 40; ++k) bodies.push_back(block_at(k * 1e5, k * 1e5, 0, 2, 1.0));
   const Simulation simulation = run_steps(blocks(2, bodies), 3);
   EXPECT_EQ(simulation.soil_count(), static_cast<std::size_t>(across * across + 40));
   EXPECT_EQ(simulation.last_step().step, 3u);

@@ -11,54 +11,13 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/boundary/face_grid.hpp"
 #include "engine/boundary/facet_geometry.hpp"
-#include "engine/boundary/facet_index.hpp"
-#include "engine/boundary/wall_clearance.hpp"
-#include "engine/boundary/wall_gaps.hpp"
-#include "engine/boundary/wall_joints.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/facets.hpp"
+#include "tests/engine/boundary/line_walls.hpp"
 
-namespace scarp {
+namespace scarp::test {
 namespace {
-
-using Points2 = std::vector<std::array<double, 2>>;
-
-/// Spacing 0.5 m and h = 1.5 dx: three layers, 1.5 m thick.
-Scene empty_scene(int dimension) {
-  Scene scene;
-  scene.dimension = dimension;
-  scene.spacing = 0.5;
-  scene.numerics.smoothing_ratio = 1.5;
-  return scene;
-}
-
-Wall line_wall(const std::string& name, WallKind kind, const Points2& points) {
-  Wall wall;
-  wall.name = name;
-  wall.kind = kind;
-  wall.facets = line_facets(points);
-  return wall;
-}
-
-Scene line_scene(const Points2& points, double spacing = 0.5) {
-  Scene scene = empty_scene(2);
-  scene.spacing = spacing;
-  scene.walls = {line_wall("wall", WallKind::no_slip, points)};
-  return scene;
-}
-
-/// The cells of the lattice anchored at the origin that hold a dummy, each with its count.
-std::map<std::array<int, 3>, int> cells(const WallDummies& dummies, double spacing) {
-  std::map<std::array<int, 3>, int> held;
-  for (const Vec3& p : dummies.position) {
-    std::array<int, 3> cell{};
-    for (std::size_t a = 0; a < 3; ++a) cell[a] = static_cast<int>(std::floor(p[a] / spacing));
-    ++held[cell];
-  }
-  return held;
-}
 
 double nearest_pair(const WallDummies& dummies) {
   double nearest = 1e9;
@@ -280,10 +239,6 @@ TEST(GenerateDummiesTest, GateSunkIntoTheBaseOrAtItsEndLeavesTheBaseWhole) {
   }
 }
 
-TEST(FaceGridTest, WithoutSitesHoldsNoPlace) {
-  EXPECT_FALSE(FaceGrid().holds({0.0, 0.0, 0.0}, 1e-6));
-}
-
 TEST(GenerateDummiesTest, SmoothWallsLayNoneAndTakeNone) {
   // However a smooth side meets the base: at its end, going on below it, crossed by it.
   for (const double below : {0.0, 5.0}) {
@@ -335,69 +290,6 @@ TEST(GenerateDummiesTest, CornerWithASmoothWallThatGoesIsTold) {
     EXPECT_TRUE(stands(true, 1.0));
     EXPECT_FALSE(stands(true, 12.0)) << "below the sides the plate is as wide as it is drawn";
     EXPECT_FALSE(stands(false, 1.0));
-  }
-}
-
-TEST(NarrowGapsTest, WallsAreLengthenedToMeet) {
-  Scene scene = empty_scene(2);
-  const auto joined = [&](const Points2& base, const Points2& side) {
-    scene.walls = {line_wall("base", WallKind::no_slip, base),
-                   line_wall("side", WallKind::free_slip, side)};
-    Scene closed = scene;
-    close_narrow_gaps(closed);
-    return std::pair{closed.walls[0].facets[0], closed.walls[1].facets[0]};
-  };
-  // The base is 0.3 m short of a side that goes on below.
-  auto [base, side] = joined({{0.3, 0}, {10, 0}}, {{0, 5}, {0, -5}});
-  EXPECT_NEAR(base.origin[0], 0.0, 1e-12);
-  EXPECT_NEAR(base.length_u, 10.0, 1e-12);
-  EXPECT_EQ(side.length_u, 10.0);
-  // Both are short of the corner.
-  std::tie(base, side) = joined({{0.3, 0}, {10, 0}}, {{0, 5}, {0, 0.3}});
-  EXPECT_NEAR(base.origin[0], 0.0, 1e-12);
-  EXPECT_NEAR(side.length_u, 5.0, 1e-12);
-  // An inclined side is met where the base goes straight on.
-  std::tie(base, side) = joined({{0.3, 0}, {10, 0}}, {{5, 5}, {-5, -5}});
-  EXPECT_NEAR(base.origin[0], 0.0, 1e-12);
-  // A spacing is wide enough for a grain; a touch is no gap.
-  EXPECT_EQ(joined({{0.5, 0}, {10, 0}}, {{0, 5}, {0, -5}}).first.length_u, 9.5);
-  EXPECT_EQ(joined({{0, 0}, {10, 0}}, {{0, 5}, {0, 0}}).first.length_u, 10.0);
-}
-
-TEST(NarrowGapsTest, BothWidthsAreTold) {
-  Scene scene = empty_scene(2);
-  scene.walls = {line_wall("base", WallKind::no_slip, {{0.3, 0}, {9, 0}}),
-                 line_wall("sides", WallKind::free_slip, {{0, 5}, {0, -5}}),
-                 line_wall("far", WallKind::free_slip, {{10, -5}, {10, 5}})};
-  const std::vector<std::string> told = wall_gaps(scene);
-  ASSERT_EQ(told.size(), 2U);
-  EXPECT_NE(told[0].find("wall 'base' at (0.3, 0) ends less than a spacing short"),
-            std::string::npos);
-  EXPECT_NE(told[0].find("lengthened by 0.3 m"), std::string::npos) << told[0];
-  EXPECT_NE(told[1].find("1 m from wall 'far': soil can leak"), std::string::npos) << told[1];
-}
-
-TEST(FacetIndexTest, FindsAllThatIsNearAndAsksFew) {
-  // A wavy base of many facets and one long wall over all of it.
-  for (const int count : {40, 4000}) {
-    Points2 points;
-    for (int k = 0; k <= count; ++k) points.push_back({1.0 * k, std::sin(0.1 * k)});
-    std::vector<Facet> facets = line_facets(points);
-    facets.push_back(line_facets({{1.0 * count, 8}, {0, 8}})[0]);
-    const FacetIndex index(facets, 2.0);
-    std::vector<std::uint32_t> found;
-    std::size_t most = 0;
-    for (double x = -3.0; x < count + 3.0; x += 0.37) {
-      const Vec3 point{x, 0.2, 0};
-      index.near(point, found);
-      most = std::max(most, found.size());
-      EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-      for (std::uint32_t k = 0; k < facets.size(); k += count / 40) {
-        if (geometry::coordinates(facets[k], 2, point).distance(facets[k]) > 2.0) continue;
-        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), k)) << x << ' ' << k;
-      }
-    }
-    EXPECT_LE(most, 6U) << "five of length 1 within 2 of any place, and one that ends there";
   }
 }
 
@@ -469,55 +361,5 @@ TEST(GenerateDummiesTest, TooManyAreRefusedBeforeMemoryIsTaken) {
   EXPECT_THROW(generate_dummies(line_scene({{0, 0}, {1e9, 0}}, 1e-9)), SceneError);
 }
 
-TEST(WallClearanceTest, SoilBehindAReversedLineIsNamed) {
-  Scene scene = line_scene({{10, 0}, {0, 0}});
-  scene.bodies = {{0, Box{{0, 0, 0}, {10, 5, 0}}, {}}};
-  const SoilPoints soil = generate_soil(scene);
-  try {
-    check_wall_clearance(scene, soil);
-    FAIL() << "no error";
-  } catch (const SceneError& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find(
-                  "key 'wall[0]' = 'wall': the soil particle at (0.25, 0.25) lies 0.25 m behind"),
-              std::string::npos)
-        << message;
-    EXPECT_NE(message.find("Try to reverse the order"), std::string::npos) << message;
-  }
-  scene.walls[0].facets = line_facets({{0, 0}, {10, 0}});
-  EXPECT_NO_THROW(check_wall_clearance(scene, soil));
-}
-
-TEST(WallClearanceTest, SoilOnBothSidesOfALineIsToldHowASheetPileIsDrawn) {
-  for (const bool reversed : {false, true}) {
-    Scene scene = reversed ? line_scene({{5, 4}, {5, 1}}) : line_scene({{5, 1}, {5, 4}});
-    scene.bodies = {{0, Box{{0, 0, 0}, {10, 5, 0}}, {}}};
-    try {
-      check_wall_clearance(scene, generate_soil(scene));
-      FAIL() << "no error";
-    } catch (const SceneError& error) {
-      const std::string message = error.what();
-      EXPECT_NE(message.find("a wall has soil on one side only"), std::string::npos) << message;
-      EXPECT_NE(message.find("sheet pile as a slot of 1 m"), std::string::npos) << message;
-      EXPECT_EQ(message.find("reverse"), std::string::npos) << message;
-    }
-  }
-}
-
-TEST(WallClearanceTest, SoilOnTheOtherSideOfAThinWallIsClear) {
-  // A wall 1 m thick with a face on each side: thinner than its layers of 1.5 m.
-  Scene scene = empty_scene(2);
-  scene.walls = {line_wall("sheet", WallKind::no_slip, {{4, 0}, {4, 4}, {5, 4}, {5, 0}})};
-  scene.bodies = {{0, Box{{0, 0, 0}, {4, 4, 0}}, {}}, {0, Box{{5, 0, 0}, {9, 4, 0}}, {}}};
-  const SoilPoints soil = generate_soil(scene);
-  EXPECT_NO_THROW(check_wall_clearance(scene, soil));
-  const auto held = cells(generate_dummies(scene), 0.5);
-  EXPECT_EQ(held.size(), 16U);
-  for (const auto& [cell, count] : held) {
-    EXPECT_EQ(count, 1);
-    EXPECT_TRUE(cell[0] == 8 || cell[0] == 9);
-  }
-}
-
 }  // namespace
-}  // namespace scarp
+}  // namespace scarp::test

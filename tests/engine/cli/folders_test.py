@@ -13,6 +13,8 @@ import tempfile
 import time
 import unittest
 
+from scenes import SLOPE
+
 SCARP = sys.argv.pop(1)
 
 BLOCK = """title = "Block"
@@ -42,42 +44,6 @@ every = "5 ms"
 [[stage]]
 name = "short"
 duration = 0.04
-"""
-
-SLOPE = """title = "Slope"
-dimension = 2
-spacing = "1 m"
-[[material]]
-name = "clay"
-density = 2000.0
-youngs_modulus = "100 MPa"
-poisson_ratio = 0.3
-cohesion = "10 kPa"
-friction_angle = "20 deg"
-dilation_angle = "9 deg"
-[[body]]
-material = "clay"
-polygon = [[0, 0], [45, 0], [45, 5], [32, 5], [12, 15], [0, 15]]
-[[wall]]
-name = "base"
-kind = "no_slip"
-line = [[0, 0], [45, 0]]
-[[wall]]
-name = "sides"
-kind = "free_slip"
-box = {min = [0, 0], max = [45, 20], open = ["-y", "+y"]}
-[initial]
-stress = "geostatic"
-[[stage]]
-name = "settle"
-until = "rest"
-duration = "5 s"
-[[stage]]
-name = "fail"
-duration = "5 s"
-[[probe]]
-name = "crest"
-at = [12, 15]
 """
 
 # Results of every kind by their names, one for each command and an unknown one.

@@ -2,7 +2,6 @@
 /// Checkpoints: HDF5 in memory, its sum behind it.
 #include "engine/output/checkpoint_file.hpp"
 
-#include <unistd.h>
 #include <zlib.h>
 
 #include <array>
@@ -14,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "engine/errors.hpp"
+#include "engine/machine.hpp"
 #include "engine/output/hdf5_file.hpp"
 #include "engine/output/hdf5_reader.hpp"
 #include "engine/output/results.hpp"
@@ -35,12 +35,6 @@ std::string ending(std::string_view image) {
   throw CheckpointError(fmt::format("'{}': {}", path.string(), why));
 }
 
-/// Of this machine [bytes].
-std::uintmax_t physical_memory() {
-  return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::uintmax_t>(sysconf(_SC_PAGESIZE));
-}
-
 std::string checked_image(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -51,8 +45,8 @@ std::string checked_image(const std::filesystem::path& path) {
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!stream || error) refuse(path, "cannot be read. Try to check its name and rights.");
   if (size == 0) refuse(path, "is empty. Try the checkpoint before it.");
-  if (size > physical_memory())
-    refuse(path, "is larger than the memory of this machine. Try the checkpoint before it.");
+  if (static_cast<double>(size) > usable_memory())
+    refuse(path, "is larger than the memory this process may use. Try the checkpoint before it.");
   std::string image(size, '\0');
   stream.read(image.data(), static_cast<std::streamsize>(size));
   if (!stream) refuse(path, "cannot be read to its end. Try the checkpoint before it.");

@@ -164,7 +164,7 @@ int report_command(const std::string& folder) {
 void add_threads(CLI::App& command, int& threads) {
   command
       .add_option("--threads", threads,
-                  "Threads, exactly; 0, the default, takes as many as pay at the moment")
+                  "Use exactly this many threads; 0, the default, uses as many as make it faster")
       ->check([](const std::string& text) {
         int wanted = 0;
         return CLI::detail::lexical_cast(text, wanted) ? complaint_about_threads(wanted)
@@ -173,38 +173,48 @@ void add_threads(CLI::App& command, int& threads) {
 }
 
 void add_error_time(CLI::App& command, ErrorTimeArguments& arguments) {
-  command.add_option("cases", arguments.cases, "Names of cases or sets; default all that can");
+  command.add_option("cases", arguments.cases,
+                     "Names of cases or sets; default: all cases that have a scalar error");
   command
       .add_option("--axis", arguments.axes,
-                  "Axes that vary, with commas or repeated; default all: " +
+                  "Vary these axes only, with commas or repeated; default: all of " +
                       fmt::format("{}", fmt::join(axis_names(), ", ")))
       ->allow_extra_args(false);
-  command.add_flag("--short", arguments.options.short_form, "Two coarse spacings, few settings");
-  command.add_option("--repeats", arguments.options.repeats, "Runs of each setting; default 3")
+  command.add_flag("--short", arguments.options.short_form,
+                   "Take two coarse spacings and few settings");
+  command
+      .add_option("--repeats", arguments.options.repeats, "Run each setting this often; default 3")
       ->check(CLI::Range(1, 100));
   command.add_option("--budget", arguments.budget,
-                     "Begin no run that would not end within this, e.g. \"90 min\"");
-  command.add_option("-o,--out", arguments.out, "Folder for error_time/; default out");
+                     "Begin no run that would end after this time, e.g. \"90 min\"");
+  command.add_option("-o,--out", arguments.out,
+                     "Folder in which error_time/ is made; default: out");
   add_threads(command, arguments.options.run.threads);
-  command.add_option("--isa", arguments.options.run.isa, "Instruction set: sse2, avx2, avx512")
+  command
+      .add_option("--isa", arguments.options.run.isa,
+                  "Use this instruction set; default: the best of the machine")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
-  command.add_option("--json", arguments.json, "Write the sentences here, - for standard output");
-  command.add_flag("-q,--quiet", arguments.options.quiet, "No progress");
+  command.add_option("--json", arguments.json,
+                     "Write the sentences to this file, - for standard output");
+  command.add_flag("-q,--quiet", arguments.options.quiet, "Show no progress");
 }
 
 void add_stability(CLI::App& command, StabilityArguments& arguments) {
-  command.add_option("--axis", arguments.axis, "Only axes and groups whose name holds this");
-  command.add_flag("--short", arguments.short_form, "Ends of the axes, few steps");
-  command.add_option("-o,--out", arguments.out, "Folder for stability/; default out");
+  command.add_option("--axis", arguments.axis, "Run only axes and groups whose name contains this");
+  command.add_flag("--short", arguments.short_form,
+                   "Run the ends of the axes only, with few steps");
+  command.add_option("-o,--out", arguments.out, "Folder in which stability/ is made; default: out");
   add_threads(command, arguments.run.threads);
-  command.add_option("--isa", arguments.run.isa, "Instruction set: sse2, avx2, avx512")
+  command
+      .add_option("--isa", arguments.run.isa,
+                  "Use this instruction set; default: the best of the machine")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
-  command.add_option("--json", arguments.json, "Write the map here, - for standard output");
-  command.add_flag("-q,--quiet", arguments.quiet, "No progress");
+  command.add_option("--json", arguments.json, "Write the map to this file, - for standard output");
+  command.add_flag("-q,--quiet", arguments.quiet, "Show no progress");
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App app{"Runs scarp's validation cases and holds them against what is known"};
+  CLI::App app{"Runs scarp's validation cases and compares them with what is known"};
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 everything judged passes, 1 it does not, 2 bad usage, 130 stopped by a "
@@ -215,42 +225,44 @@ int run_program(int argc, char** argv) {
        {&options.run, &arguments.error_time.options.run, &arguments.stability.run})
     run_options->stop = cli::stop_requested;
 
-  CLI::App* list = app.add_subcommand("list", "The cases, one per line");
+  CLI::App* list = app.add_subcommand("list", "List the cases, one per line");
 
-  CLI::App* run = app.add_subcommand("run", "Run cases, or the sets paper, verification, all");
+  CLI::App* run = app.add_subcommand("run", "Run cases, or the sets paper, verification and all");
   run->add_option("cases", arguments.cases, "Names of cases or sets")->required();
-  CLI::Option* short_flag = run->add_flag("--short", arguments.short_form, "Coarse and quick");
-  run->add_flag("--full", arguments.full, "Finer than the main form")->excludes(short_flag);
-  run->add_option("-o,--out", options.out, "Folder for the cases' folders; default out");
+  CLI::Option* short_flag = run->add_flag("--short", arguments.short_form,
+                                          "Run the short form, which is coarse and quick");
+  run->add_flag("--full", arguments.full, "Run the full form, which adds finer spacings")
+      ->excludes(short_flag);
+  run->add_option("-o,--out", options.out, "Folder in which each case makes its own; default: out");
   add_threads(*run, options.run.threads);
-  run->add_option("--preset", options.preset, "Replace the scene's preset: modern, paper")
+  run->add_option("--preset", options.preset, "Replace the preset of the scenes")
       ->check(CLI::IsMember({"modern", "paper"}));
-  run->add_option("--precision", options.precision, "Arithmetic of the pair loop: double, mixed")
+  run->add_option("--precision", options.precision, "Replace the precision of the pair sweep")
       ->check(CLI::IsMember({"double", "mixed"}));
-  run->add_option("--spacing", arguments.spacing, "Particle spacing, e.g. \"0.5 m\"");
-  run->add_option("--isa", options.run.isa, "Instruction set: sse2, avx2, avx512")
+  run->add_option("--spacing", arguments.spacing, "Replace the particle spacing, e.g. \"0.5 m\"");
+  run->add_option("--isa", options.run.isa,
+                  "Use this instruction set; default: the best of the machine")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
   run->add_flag("--resume", options.resume,
-                "Keep what an earlier call with the same options finished, go on with the others");
+                "Keep the runs that an earlier call with the same options finished, do the others");
   run->add_flag("--forecast", arguments.forecast_only,
-                "Say what the paper's cases will take, run nothing");
-  run->add_option("--json", arguments.json, "Write all results here, - for standard output");
-  run->add_flag("-q,--quiet", options.quiet, "No progress");
+                "Say how long the paper's cases will take, and run nothing");
+  run->add_option("--json", arguments.json,
+                  "Write all results to this file, - for standard output");
+  run->add_flag("-q,--quiet", options.quiet, "Show no progress");
 
   CLI::App* error_time = app.add_subcommand(
-      "error-time", "Error against run time: settings tried, the front, what to take");
+      "error-time", "Measure error against run time of many settings, and advise which to take");
   add_error_time(*error_time, arguments.error_time);
 
   CLI::App* stability = app.add_subcommand(
       "stability",
-      "The map of extreme scenes: where the time step is stable, and what happens where "
-      "it is not");
+      "Map extreme scenes: where the time step is stable, and what happens where it is not");
   add_stability(*stability, arguments.stability);
 
-  CLI::App* report =
-      app.add_subcommand("report", "Draw reports again: of a case, of all, of error-time");
-  report
-      ->add_option("folder", arguments.report_folder, "Folder of a case, of several, or error_time")
+  CLI::App* report = app.add_subcommand(
+      "report", "Draw reports again: of a case, of all cases, of error-time or stability");
+  report->add_option("folder", arguments.report_folder, "Folder of one case or of several")
       ->required()
       ->check(CLI::ExistingDirectory);
 

@@ -19,14 +19,16 @@ namespace {
 using namespace scarp::cli;
 
 void add_isa_option(CLI::App& command, scarp::RunOptions& options) {
-  command.add_option("--isa", options.isa, "Instruction set: sse2, avx2, avx512")
+  command
+      .add_option("--isa", options.isa,
+                  "Use this instruction set; default: the best of the machine")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
 }
 
 void add_threads_option(CLI::App& command, scarp::RunOptions& options) {
   command
       .add_option("--threads", options.threads,
-                  "Threads, exactly; 0, the default, takes as many as pay at the moment")
+                  "Use exactly this many threads; 0, the default, uses as many as make it faster")
       ->check([](const std::string& text) {
         int threads = 0;
         return CLI::detail::lexical_cast(text, threads) ? scarp::complaint_about_threads(threads)
@@ -38,9 +40,10 @@ void add_threads_option(CLI::App& command, scarp::RunOptions& options) {
 void add_common_options(CLI::App& command, SceneArguments& arguments) {
   command.add_option("scene", arguments.file, "The scene, a TOML file")->required();
   add_isa_option(command, arguments.options);
-  command.add_option("--preset", arguments.preset, "Replace the scene's preset: modern, paper")
+  command.add_option("--preset", arguments.preset, "Replace the scene's preset")
       ->check(CLI::IsMember({"modern", "paper"}));
-  command.add_option("--json", arguments.json, "Write the numbers here, - for standard output");
+  command.add_option("--json", arguments.json,
+                     "Write the numbers to this file, - for standard output");
 }
 
 void add_scene_options(CLI::App& command, SceneArguments& arguments) {
@@ -50,12 +53,12 @@ void add_scene_options(CLI::App& command, SceneArguments& arguments) {
 
 void add_overwrite_option(CLI::App& command, bool& overwrite) {
   command.add_flag("--overwrite", overwrite,
-                   "Remove the results that are in the folder, whatever they are of");
+                   "Remove the results in the folder first, whatever left them there");
 }
 
 void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
   command.add_option("--spacing", arguments.spacing,
-                     "Replace the particle spacing, e.g. \"0.5 m\"");
+                     "Replace the scene's particle spacing, e.g. \"0.5 m\"");
 }
 
 /// An empty value would pass for an option that was not given.
@@ -72,75 +75,82 @@ void refuse_empty_values(CLI::App& app) {
 CLI::App* add_resume_command(CLI::App& app, ResumeArguments& resume) {
   CLI::App* command = app.add_subcommand("resume",
                                          "Go on with a run that was stopped or killed, from its "
-                                         "last checkpoint, or through more stages");
+                                         "last checkpoint, or run it through more stages");
   command->add_option("folder", resume.folder, "Output folder of the run")
       ->required()
       ->check(CLI::ExistingDirectory);
   command->add_option("--scene", resume.scene,
-                      "The run's scene with more stages behind the last: go on through them");
-  command->add_flag("--accept-tables", resume.accept_tables,
-                    "Go on behind the rows that are there, changed or missing ones too");
+                      "Scene of the run with more stages after its last; go on through them");
+  command->add_flag(
+      "--accept-tables", resume.accept_tables,
+      "Go on after the rows that are there, even if some were changed or are missing");
   add_isa_option(*command, resume.options);
   add_threads_option(*command, resume.options);
-  command->add_option("--json", resume.json, "Write the numbers here, - for standard output");
-  command->add_flag("-q,--quiet", resume.quiet, "No progress");
+  command->add_option("--json", resume.json,
+                      "Write the numbers to this file, - for standard output");
+  command->add_flag("-q,--quiet", resume.quiet, "Show no progress");
   return command;
 }
 
 CLI::App* add_element_command(CLI::App& app, ElementArguments& element) {
   CLI::App* command = app.add_subcommand(
-      "element", "Drive one material point along a laboratory test; leaves a table");
+      "element", "Drive one material point along a laboratory test and write a table");
   add_common_options(*command, element.scene);
-  command->add_option("--path", element.path, "triaxial, plane_strain, simple_shear, isotropic")
+  command->add_option("--path", element.path, "The laboratory test")
       ->required()
       ->check(CLI::IsMember(std::vector<std::string>(scarp::element_path_names.begin(),
                                                      scarp::element_path_names.end())));
-  command->add_option("--material", element.material, "Name in the scene; default its only one");
+  command->add_option("--material", element.material,
+                      "Name of the material; default: the only one in the scene");
   command->add_option("--confining", element.confining,
-                      "Pressure at the start and of the stress held; default \"100 kPa\"");
+                      "Pressure at the start, and of the stress that is held; default \"100 kPa\"");
   command
       ->add_option("--strain", element.strain,
-                   "Strain at the end, positive in compression; shear: gamma; default 0.05")
+                   "Strain at the end, positive in compression (simple_shear: gamma); default 0.05")
       ->check(CLI::Range(-10.0, 10.0));
-  command->add_option("--steps", element.steps, "Equal increments of strain; default 1000")
+  command
+      ->add_option("--steps", element.steps, "Number of equal increments of strain; default 1000")
       ->check(CLI::Range(1, 10'000'000));
-  command->add_option("-o,--out", element.table,
-                      "The table; default out/<name of the scene file>/element_<path>.csv");
+  command->add_option(
+      "-o,--out", element.table,
+      "Write the table here; default out/<name of the scene file>/element_<path>.csv");
   return command;
 }
 
 CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
-  CLI::App* command = app.add_subcommand(
-      "fos",
-      "Factor of safety of a slope: cut its strength until it fails; one that fails with its own "
-      "is settled with more first. Leaves report.html");
+  CLI::App* command = app.add_subcommand("fos",
+                                         "Find the factor of safety of a slope by cutting its "
+                                         "strength by different factors, and write "
+                                         "report.html");
   add_scene_options(*command, fos.scene);
   add_spacing_option(*command, fos.scene);
   command
-      ->add_option("--tolerance", fos.tolerance,
-                   "Width of the enclosing bracket over its middle; default 0.01")
+      ->add_option(
+          "--tolerance", fos.tolerance,
+          "Stop when the bracket around the factor is this wide, over its middle; default 0.01")
       ->check(CLI::Range(1e-4, 1.0));
-  command->add_option("--from", fos.from, "Strength reduction factor tried first; default 1")
+  command->add_option("--from", fos.from, "Try this strength reduction factor first; default 1")
       ->check(CLI::Range(scarp::least_reduction, scarp::most_reduction));
-  command->add_option("--to", fos.to, "... and tried next if the slope stands with that")
+  command->add_option("--to", fos.to, "Try this one next if the slope stands with the first")
       ->check(CLI::Range(scarp::least_reduction, scarp::most_reduction));
-  command->add_option("--ramp", fos.ramp,
-                      "Time that the cut takes, 0 for at once; default 1.4 free falls over the "
-                      "slope's height");
+  command->add_option(
+      "--ramp", fos.ramp,
+      "Take this time for the cut, 0 for at once; default: 1.4 times that of a free "
+      "fall over the slope's height");
   command->add_option(
       "--window", fos.window,
-      "Time after the cut in which a slope must fail, e.g. \"4 s\"; default five free "
+      "Wait this long after the cut for the slope to fail, e.g. \"4 s\"; default: five free "
       "falls");
   command->add_option("--probe", fos.probe,
-                      "Probe whose displacement is judged; default the scene's first, else the "
-                      "largest displacement");
+                      "Judge the displacement of this probe; default: the first of the scene, and "
+                      "without probes the largest displacement");
   command->add_option(
       "--height", fos.height,
-      "Height of the slope, e.g. \"10 m\"; default that of the ground along gravity");
+      "Height of the slope, e.g. \"10 m\"; default: highest less lowest ground along gravity");
   command->add_option("-o,--out", fos.folder,
-                      "Output folder; default out/<name of the scene file>_fos");
+                      "Output folder; default: out/<name of the scene file>_fos");
   add_overwrite_option(*command, fos.overwrite);
-  command->add_flag("-q,--quiet", fos.quiet, "No progress");
+  command->add_flag("-q,--quiet", fos.quiet, "Show no progress");
   return command;
 }
 
@@ -153,41 +163,43 @@ int run_program(int argc, char** argv) {
       "lost soil, 130 stopped by a signal.");
 
   RunArguments run;
-  CLI::App* run_app = app.add_subcommand("run", "Run a scene; leaves frames, tables, results.json");
+  CLI::App* run_app =
+      app.add_subcommand("run", "Run a scene and write frames, tables and results.json");
   add_scene_options(*run_app, run.scene);
   add_spacing_option(*run_app, run.scene);
   run_app->add_option("-o,--out", run.folder,
-                      "Output folder; default out/<name of the scene file>");
+                      "Output folder; default: out/<name of the scene file>");
   add_overwrite_option(*run_app, run.overwrite);
-  run_app->add_flag("-q,--quiet", run.quiet, "No progress");
+  run_app->add_flag("-q,--quiet", run.quiet, "Show no progress");
 
   ResumeArguments resume;
   CLI::App* resume_app = add_resume_command(app, resume);
 
   CheckArguments check;
   CLI::App* check_app = app.add_subcommand(
-      "check", "Say what a scene is, uses, leaves out and needs, after a few trial steps");
+      "check",
+      "Check a scene: what it is, which physics it uses, what it needs, how long it takes");
   add_scene_options(*check_app, check.scene);
   add_spacing_option(*check_app, check.scene);
   check_app->add_flag("--probe", check.probe,
-                      "Find what sets the time step, and how far it is from unstable");
+                      "Find out what sets the time step, and how far it is from unstable");
   check_app->add_flag("--costs", check.costs,
-                      "Time it without each of the parts it uses: what they cost");
+                      "Measure what each part of the physics costs, by steps without it");
 
   ConvergeArguments converge;
   CLI::App* converge_app = app.add_subcommand(
-      "converge", "Run a scene at three spacings: estimated errors, and which spacing to use");
+      "converge", "Run a scene at three spacings, estimate the errors and advise a spacing");
   add_scene_options(*converge_app, converge.scene);
   converge_app
       ->add_option(
           "--spacings", converge.spacings,
-          "Three spacings, e.g. \"1 m, 0.5 m, 0.25 m\"; default 4, 2 and 1 times the scene's")
+          "Three spacings, e.g. \"1 m, 0.5 m, 0.25 m\"; default: 4, 2 and 1 times the scene's")
       ->delimiter(',')
       ->expected(3);
   converge_app->add_option("-o,--out", converge.folder,
-                           "Output folder; default out/<name of the scene file>_converge");
+                           "Output folder; default: out/<name of the scene file>_converge");
   add_overwrite_option(*converge_app, converge.overwrite);
-  converge_app->add_flag("-q,--quiet", converge.quiet, "No progress");
+  converge_app->add_flag("-q,--quiet", converge.quiet, "Show no progress");
 
   FosArguments fos;
   CLI::App* fos_app = add_fos_command(app, fos);
@@ -196,7 +208,8 @@ int run_program(int argc, char** argv) {
   CLI::App* element_app = add_element_command(app, element);
 
   std::string report_folder;
-  CLI::App* report_app = app.add_subcommand("report", "Draw the figures and report.html of a run");
+  CLI::App* report_app = app.add_subcommand(
+      "report", "Draw figures and report.html of a run, or of what fos or converge left");
   report_app->add_option("folder", report_folder, "Output folder of a run")
       ->required()
       ->check(CLI::ExistingDirectory);

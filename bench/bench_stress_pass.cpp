@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The per-particle pass on the free block: elastic and plastic, each plasticity, gradient
+/// The per-particle pass on the free block: elastic and plastic, gradient
 /// correction, diffusion, by dimension, instruction set and size.
 #include <benchmark/benchmark.h>
 
@@ -25,18 +25,14 @@ struct Law {
 std::vector<Law> laws() {
   Numerics plain = preset("paper");
   plain.artificial_stress = 0.0;
-  const auto with = [&](Plasticity plasticity) {
-    Numerics n = plain;
-    n.plasticity = plasticity;
-    return n;
-  };
   Numerics corrected = plain;
   corrected.gradient_correction = true;
   Numerics modern = preset("modern");
   modern.integrator = Integrator::verlet;
-  return {{"elastic", plain, true},           {"return_mapping", with(Plasticity::return_mapping)},
-          {"rate", with(Plasticity::rate)},   {"rate_corrected", with(Plasticity::rate_corrected)},
-          {"gradient_correction", corrected}, {"modern", modern}};
+  return {{"elastic", plain, true},
+          {"return_mapping", plain},
+          {"gradient_correction", corrected},
+          {"modern", modern}};
 }
 
 void run(benchmark::State& bench, const Law& law, const BlockOptions& options) {

@@ -202,7 +202,6 @@ kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Mat
   c.k0 = k0_of(scene, material);
   c.gradient_correction = n.gradient_correction;
   c.hughes_winget = n.stress_rotation == StressRotation::hughes_winget;
-  c.plasticity = static_cast<int>(n.plasticity);
   return c;
 }
 

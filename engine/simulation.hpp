@@ -31,19 +31,10 @@ struct RunOptions {
 
 /// Which bound set a time step (THEORY.md section 10): sound in the stiffest soil, approach faster
 /// than that sound, acceleration, artificial viscosity, stress diffusion; or the rate at which
-/// steps may grow, the end of the stage, soil about to yield.
-enum class StepLimit {
-  acoustic,
-  approach,
-  force,
-  viscous,
-  diffusion,
-  growth,
-  stage_end,
-  near_yield
-};
-inline constexpr const char* step_limit_names[]{"acoustic",  "approach", "force",     "viscous",
-                                                "diffusion", "growth",   "stage_end", "near_yield"};
+/// steps may grow, the end of the stage.
+enum class StepLimit { acoustic, approach, force, viscous, diffusion, growth, stage_end };
+inline constexpr const char* step_limit_names[]{"acoustic",  "approach", "force",    "viscous",
+                                                "diffusion", "growth",   "stage_end"};
 inline const char* name_of(StepLimit limit) {
   const auto index = static_cast<std::size_t>(limit);
   return index < std::size(step_limit_names) ? step_limit_names[index] : "unknown";

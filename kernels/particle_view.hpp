@@ -171,7 +171,6 @@ struct StressPassConstants {
   double k0;  ///< horizontal over vertical stress, for the diffusion
   bool gradient_correction;
   bool hughes_winget;
-  int plasticity;  ///< 0 return mapping, 1 rate, 2 rate with Bui's corrections
 };
 
 /// What the Verlet update needs besides StressPassConstants.

@@ -37,7 +37,6 @@ void add_numerics(Lines& lines, const Numerics& n) {
   lines.add("lattice_normalisation", n.lattice_normalisation);
   lines.add("gradient_correction", n.gradient_correction);
   lines.add("stress_rotation", n.stress_rotation);
-  lines.add("plasticity", n.plasticity);
   lines.add("viscosity_alpha", n.viscosity_alpha);
   lines.add("viscosity_beta", n.viscosity_beta);
   lines.add("artificial_stress", n.artificial_stress);
@@ -47,7 +46,6 @@ void add_numerics(Lines& lines, const Numerics& n) {
   lines.add("integrator", n.integrator);
   lines.add("verlet_restart_interval", n.verlet_restart_interval);
   lines.add("cfl", n.cfl);
-  lines.add("near_yield_limiter", n.near_yield_limiter);
   lines.add("skin", n.skin);
   lines.add("density_minimum", n.density_minimum);
   lines.add("density_maximum", n.density_maximum);

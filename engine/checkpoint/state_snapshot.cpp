@@ -16,11 +16,7 @@
 namespace scarp {
 namespace {
 
-/// The limiter reads the gradient of the step before, where the step's size comes first.
-bool kept(const FieldRow& field, const Scene& scene) {
-  if (field.field == Field::velocity_gradient) return scene.numerics.near_yield_limiter;
-  return field.lifetime != Lifetime::rate;
-}
+bool kept(const FieldRow& field) { return field.lifetime != Lifetime::rate; }
 
 std::vector<int> stored_components(const FieldRow& field, int dimension) {
   std::vector<int> stored;
@@ -172,7 +168,7 @@ void take_fields(Snapshot& out, const State& state) {
   const auto slots = static_cast<std::size_t>(p.slots());
   out.add({"particles/id", "", {slots}, p.ids()});
   for (const FieldRow& field : field_list) {
-    if (!p.has(field.field) || !kept(field, state.scene)) continue;
+    if (!p.has(field.field) || !kept(field)) continue;
     const std::vector<int> components = stored_components(field, state.scene.dimension);
     std::vector<double> values;
     values.reserve(components.size() * slots);
@@ -321,7 +317,7 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   state.lists_valid = lists_valid;
   state.walls_moved = walls_moved;
   for (const FieldRow& field : field_list) {
-    if (state.particles.has(field.field) && kept(field, state.scene))
+    if (state.particles.has(field.field) && kept(field))
       put_field(snapshot, field.name, field.field, state);
   }
   put_vectors(snapshot, "walls/offset", state.wall_offset);

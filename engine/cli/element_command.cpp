@@ -139,7 +139,6 @@ Json summary(const Scene& scene, const ElementTest& test, const ElementResult& r
             {"path", element_path_names[static_cast<std::size_t>(test.path)]},
             {"preset", scene.numerics.preset},
             {"stress_rotation", word(scene.numerics.stress_rotation)},
-            {"plasticity", word(scene.numerics.plasticity)},
             {"dimension", result.dimension},
             {"isa", result.isa},
             {"confining_pressure", test.confining_pressure},

@@ -76,10 +76,8 @@ class StressControl {
         share *= 0.5;
       } while (!(residual_of(to).cwiseAbs().maxCoeff() < norm) && share > 1e-3);
     }
-    throw Error(fmt::format(
-        "no strain increment holds the stress at {:g} Pa. Try more steps; a rate form near the "
-        "apex has no direction to flow in.",
-        target_));
+    throw Error(
+        fmt::format("no strain increment holds the stress at {:g} Pa. Try more steps.", target_));
   }
 
   double error() const { return error_; }

@@ -22,7 +22,7 @@ struct PointState {
 using GradientIncrement = std::array<double, 9>;
 
 /// The stress pass of a scene for one of its materials: the kernel a run with kick-drift-kick would
-/// use, with the scene's rotation, plasticity and density bounds, without stress diffusion, which
+/// use, with the scene's rotation and density bounds, without stress diffusion, which
 /// needs neighbours. Owns no state.
 class MaterialPoint {
  public:

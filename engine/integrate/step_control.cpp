@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/errors.hpp"
-#include "engine/integrate/near_yield.hpp"
 #include "engine/integrate/time_step.hpp"
 #include "engine/state.hpp"
 #include "engine/watch/watch.hpp"
@@ -18,20 +17,12 @@ constexpr double largest_growth = 1.1;
 }  // namespace
 
 void choose_time_step(State& state) {
-  const Numerics& numerics = state.scene.numerics;
   const StateExtremes extremes = find_extremes(state.threads, state.particles, state.scaling,
                                                state.scene.gravity, state.stage.damping);
   if (extremes.bad_slot >= 0) throw SimulationInstability(not_finite(state, extremes.bad_slot));
   auto [dt, limit] = admissible_step(extremes, state.dissipation, state.smoothing_length,
-                                     numerics.cfl * state.clock.step_factor);
+                                     state.scene.numerics.cfl * state.clock.step_factor);
   StepClock& clock = state.clock;
-  if (numerics.near_yield_limiter) {
-    const double yields_at = time_to_first_yield(state, dt);
-    if (yields_at < dt) {
-      dt = yields_at;
-      limit = StepLimit::near_yield;
-    }
-  }
   if (clock.growth_base > 0.0 && dt > largest_growth * clock.growth_base) {
     dt = largest_growth * clock.growth_base;
     limit = StepLimit::growth;

@@ -33,11 +33,7 @@ void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
                      std::span(order).subspan(static_cast<std::size_t>(range.begin),
                                               static_cast<std::size_t>(range.end - range.begin)));
   }
-  // Of kick-drift-kick the limiter reads the gradient of the step before.
-  constexpr Field gradient[]{Field::velocity_gradient};
-  const bool limited = state.scene.numerics.near_yield_limiter;
-  state.particles.permute(state.threads, order,
-                          limited ? std::span<const Field>(gradient) : std::span<const Field>());
+  state.particles.permute(state.threads, order);
 }
 
 double list_reach(const State& state) {

@@ -38,7 +38,6 @@ Json json_of(const Numerics& n) {
           {"lattice_normalisation", n.lattice_normalisation},
           {"gradient_correction", n.gradient_correction},
           {"stress_rotation", word(n.stress_rotation)},
-          {"plasticity", word(n.plasticity)},
           {"viscosity_alpha", n.viscosity_alpha},
           {"viscosity_beta", n.viscosity_beta},
           {"artificial_stress", n.artificial_stress},
@@ -48,7 +47,6 @@ Json json_of(const Numerics& n) {
           {"integrator", word(n.integrator)},
           {"verlet_restart_interval", n.verlet_restart_interval},
           {"cfl", n.cfl},
-          {"near_yield_limiter", n.near_yield_limiter},
           {"skin", n.skin},
           {"density_minimum", n.density_minimum},
           {"density_maximum", n.density_maximum}};

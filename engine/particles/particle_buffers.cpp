@@ -46,8 +46,7 @@ const ParticleGroup& ParticleBuffers::group_of(std::int64_t slot) const {
                        [slot](const ParticleGroup& group) { return slot < group.padded_end(); });
 }
 
-void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order,
-                              std::span<const Field> also) {
+void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order) {
   const auto gather = [&](auto& array) {
     auto sorted = array;
     parallel_chunks(threads, slots_, particle_chunk, [&](std::int64_t begin, std::int64_t end) {
@@ -59,8 +58,7 @@ void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order,
     array.swap(sorted);
   };
   for (const FieldRow& field : field_list) {
-    const bool asked = std::find(also.begin(), also.end(), field.field) != also.end();
-    if (field.lifetime != Lifetime::state && !asked) continue;
+    if (field.lifetime != Lifetime::state) continue;
     for (auto& array : data_[static_cast<std::size_t>(field.field)]) {
       if (!array.empty()) gather(array);
     }

@@ -57,9 +57,8 @@ class ParticleBuffers {
   std::vector<std::int64_t>& ids() { return ids_; }  ///< permanent id by slot; -1 in padding
   const std::vector<std::int64_t>& ids() const { return ids_; }
 
-  /// Moves slot order[k] to slot first + k within each group, for every field of lifetime `state`
-  /// and for `also`.
-  void permute(int threads, std::span<const std::int32_t> order, std::span<const Field> also = {});
+  /// Moves slot order[k] to slot first + k within each group, for every field of lifetime `state`.
+  void permute(int threads, std::span<const std::int32_t> order);
   std::size_t bytes() const;
 
  private:

@@ -73,6 +73,10 @@ constexpr Row rows[] = {
     {"material", "tension|tensile",
      "a tensile strength of its own is not supported: the cone ends at c / tan phi. Try a smaller "
      "cohesion."},
+    {"numerics", "plasticity|near_yield_limiter",
+     "stress always returns to the yield surface in closed form; the paper's rate forms are shown "
+     "in "
+     "the validation case `element` alone. Try without it."},
     {"material", "viscosity|rheology|yield_stress|creep|strain_rate",
      "strength that depends on the rate of strain is not supported. Try the strength of the rate "
      "that "

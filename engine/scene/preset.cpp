@@ -21,7 +21,6 @@ Numerics preset(const std::string& name) {
   paper.lattice_normalisation = false;
   paper.gradient_correction = false;
   paper.stress_rotation = StressRotation::jaumann;
-  paper.plasticity = Plasticity::return_mapping;
   paper.viscosity_alpha = 0.1;
   paper.viscosity_beta = 0.0;
   paper.artificial_stress = 0.3;

@@ -19,7 +19,6 @@ using Vec3 = std::array<double, 3>;
 
 enum class SmoothingFunction { yang_liu, cubic_spline, wendland_c2 };
 enum class StressRotation { jaumann, hughes_winget };
-enum class Plasticity { return_mapping, rate, rate_corrected };
 enum class Integrator { verlet, kick_drift_kick };
 enum class WallKind { no_slip, free_slip };
 enum class StageEnd { duration, rest };
@@ -34,8 +33,6 @@ template <>
 inline constexpr std::string_view words<SmoothingFunction> = "yang_liu|cubic_spline|wendland_c2";
 template <>
 inline constexpr std::string_view words<StressRotation> = "jaumann|hughes_winget";
-template <>
-inline constexpr std::string_view words<Plasticity> = "return|rate|rate_corrected";
 template <>
 inline constexpr std::string_view words<Integrator> = "verlet|kick_drift_kick";
 template <>
@@ -61,7 +58,6 @@ struct Numerics {
   bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
   bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
   StressRotation stress_rotation = StressRotation::hughes_winget;
-  Plasticity plasticity = Plasticity::return_mapping;
   double viscosity_alpha = 0.1;             ///< Eq. 26 [-]
   double viscosity_beta = 0.0;              ///< Eq. 26 [-]
   double artificial_stress = 0.0;           ///< epsilon of Eq. 27 [-]; 0 leaves the term out
@@ -69,12 +65,11 @@ struct Numerics {
   double stress_diffusion = 0.1;            ///< cap of the diffusivity in h c [-]; 0 leaves it out
   double diffusion_shear_gate = 20.0;       ///< diffusivity per h^2 |shear rate| [-]
   Integrator integrator = Integrator::kick_drift_kick;
-  int verlet_restart_interval = 40;  ///< M of Eq. 29 [steps]
-  double cfl = 1.0;                  ///< N_CFL of Eq. 30 [-]
-  bool near_yield_limiter = false;   ///< rate forms only: shorten a step that first meets yield
-  double skin = 0.15;                ///< margin of the neighbour lists in h [-]
-  double density_minimum = 0.5;      ///< bound on density over reference density [-]
-  double density_maximum = 1.2;      ///< bound on density over reference density [-]
+  int verlet_restart_interval = 40;         ///< M of Eq. 29 [steps]
+  double cfl = 1.0;                         ///< N_CFL of Eq. 30 [-]
+  double skin = 0.15;                       ///< margin of the neighbour lists in h [-]
+  double density_minimum = 0.5;             ///< bound on density over reference density [-]
+  double density_maximum = 1.2;             ///< bound on density over reference density [-]
   Precision precision = Precision::real64;  ///< of the pair sweep; the state is always double
 };
 

@@ -45,10 +45,6 @@ void check_numerics(const Numerics& n) {
   inside(n.skin, 0.0, 2.0, key("skin"));
   inside(n.density_minimum, 0.01, 1.0, key("density_minimum"));
   inside(n.density_maximum, 1.0, 10.0, key("density_maximum"));
-  rule(!n.near_yield_limiter || n.plasticity != Plasticity::return_mapping,
-       key("near_yield_limiter"), "true",
-       "with return mapping every flowing particle would clamp the step. Try plasticity = \"rate\" "
-       "or \"rate_corrected\", or false.");
 }
 
 /// Names stand in tables and file names of the results.

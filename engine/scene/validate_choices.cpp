@@ -21,7 +21,6 @@ void choices(const Scene& scene) {
   const Numerics& n = scene.numerics;
   choice(n.smoothing, SmoothingFunction::wendland_c2, "numerics.smoothing");
   choice(n.stress_rotation, StressRotation::hughes_winget, "numerics.stress_rotation");
-  choice(n.plasticity, Plasticity::rate_corrected, "numerics.plasticity");
   choice(n.integrator, Integrator::kick_drift_kick, "numerics.integrator");
   choice(n.precision, Precision::mixed, "numerics.precision");
   choice(scene.initial_stress, InitialStress::uniform, "initial.stress");

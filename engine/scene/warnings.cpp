@@ -86,12 +86,6 @@ std::vector<std::string> warnings(const Scene& scene) {
   check_contrast(scene, found);
   for (std::string& gap : wall_gaps(scene)) found.push_back(std::move(gap));
   for (std::string& place : thin_places(scene)) found.push_back(std::move(place));
-  if (scene.numerics.plasticity == Plasticity::rate_corrected &&
-      scene.numerics.integrator == Integrator::verlet) {
-    found.emplace_back(
-        "numerics: plasticity = \"rate_corrected\" gives wrong plastic strains with Verlet. Try "
-        "integrator = \"kick_drift_kick\", or plasticity = \"return\".");
-  }
   // With corrected gradients a slope still creeps after its slide at 0.6 (THEORY, section 3).
   const double highest = scene.numerics.gradient_correction ? 0.3 : 0.8;
   if (scene.numerics.integrator == Integrator::verlet && scene.numerics.cfl > highest) {

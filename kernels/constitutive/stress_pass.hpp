@@ -51,8 +51,7 @@ struct StressIncrement {
 };
 
 /// New stress of a point: rotate `base`, add the elastic (and diffusive) increment, return to the
-/// yield surface. Equation: E18, E21 over the time `leap`; `current` is the stress the rate forms
-/// refer to.
+/// yield surface. Equation: E18, E21 over the time `leap`; Jaumann's rate turns `current`.
 template <bool Plastic, class T>
 SCARP_INLINE StressIncrement<T> advance_stress_point(const StressPassConstants& c,
                                                      const Tensor<T>& gradient,
@@ -73,13 +72,7 @@ SCARP_INLINE StressIncrement<T> advance_stress_point(const StressPassConstants& 
   out.plastic_strain_magnitude = T(0.0);
   if constexpr (Plastic) {
     const SymTensor<T> trial = stress;
-    if (c.plasticity == 0) {
-      out.plastic_strain_magnitude = return_to_yield_surface(c, stress);
-    } else {
-      out.plastic_strain_magnitude =
-          subtract_plastic_rate(c, current, out.strain, c.plasticity == 2, stress);
-      if (c.plasticity == 2) correct_stress(c, stress);
-    }
+    out.plastic_strain_magnitude = return_to_yield_surface(c, stress);
     out.plastic_strain = elastic_strain(c, trial - stress);
   }
   return out;

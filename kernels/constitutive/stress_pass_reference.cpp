@@ -74,30 +74,6 @@ Matrix flow_back(const StressPassConstants& c, const Matrix& trial) {
   return c.k_c / (3.0 * c.alpha_phi) * Matrix::Identity();
 }
 
-/// Plastic strain of Eq. 22 over the leap, held >= 0. Equation: E7, E22.
-Matrix rate_of_flow(const StressPassConstants& c, const Matrix& at, const Matrix& strain) {
-  double threshold = 0.0;
-  if (c.plasticity == 2) threshold = -1e-6 * (c.k_c - c.alpha_phi * at.trace());
-  if (!(yield(c, at) > threshold)) return Matrix::Zero();
-  const Matrix n = normal(at, c.alpha_phi), m = normal(at, c.alpha_psi);
-  const double resistance = contract(n, hooke(c, m));
-  if (!(resistance > 0.0))
-    return Matrix::Zero();  // no deviator and no dilation: no direction to flow in
-  const double multiplier = contract(n, hooke(c, strain)) / resistance;
-  return std::fmax(multiplier, 0.0) * m;
-}
-
-/// Bui et al. (2008), their two corrections one after the other. Equation: P2.
-Matrix bui_corrections(const StressPassConstants& c, Matrix stress) {
-  if (c.alpha_phi > 0.0 && stress.trace() > c.k_c / c.alpha_phi) {
-    stress += (c.k_c / c.alpha_phi - stress.trace()) / 3.0 * Matrix::Identity();
-  }
-  const double strength = std::fmax(c.k_c - c.alpha_phi * stress.trace(), 0.0);
-  const double j = root_j2(stress);
-  if (j <= strength) return stress;
-  return stress.trace() / 3.0 * Matrix::Identity() + strength / j * deviator(stress);
-}
-
 /// Velocity gradient over the moment, where that can be inverted. Equation: K1.
 Matrix used_gradient(const ReferencePointRates& rates, const StressPassConstants& c,
                      int dimension) {
@@ -144,14 +120,9 @@ bool advance_material(const ReferencePointRates& rates, const StressPassConstant
   stress += hooke(c, strain) + diffusion;
   const Matrix trial = stress;
   double magnitude = 0.0;
-  if (plastic && c.plasticity == 0) {
+  if (plastic) {
     stress = flow_back(c, trial);
     magnitude = equivalent(strain_of(c, trial - stress));
-  } else if (plastic) {
-    const Matrix flow = rate_of_flow(c, current, strain);
-    magnitude = equivalent(flow);
-    stress -= hooke(c, flow);
-    if (c.plasticity == 2) stress = bui_corrections(c, stress);
   }
   point.accumulated_plastic_strain += c.plastic_share * magnitude;
   const Matrix mean = 0.5 / point.density * (base + stress);  // works are per mass

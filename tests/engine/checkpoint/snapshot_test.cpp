@@ -97,13 +97,6 @@ std::vector<Case> cases() {
                      scene.numerics.precision = Precision::mixed;
                      return scene;
                    }});
-    all.push_back({"limiter_" + preset, [=] {
-                     Scene scene = thrown(preset, Integrator::kick_drift_kick);
-                     scene.numerics.plasticity = Plasticity::rate_corrected;
-                     scene.numerics.near_yield_limiter = true;
-                     scene.stages[0].duration = 1e-3;
-                     return scene;
-                   }});
   }
   return all;
 }

@@ -138,7 +138,6 @@ TEST(SceneReaderTest, EveryRowOfThePresetsCanBeOverridden) {
   EXPECT_TRUE(n.lattice_normalisation);
   EXPECT_TRUE(n.gradient_correction);
   EXPECT_EQ(n.stress_rotation, StressRotation::hughes_winget);
-  EXPECT_EQ(n.plasticity, Plasticity::rate);
   EXPECT_EQ(n.viscosity_alpha, 0.5);
   EXPECT_EQ(n.viscosity_beta, 2.0);
   EXPECT_EQ(n.artificial_stress, 0.5);
@@ -148,7 +147,6 @@ TEST(SceneReaderTest, EveryRowOfThePresetsCanBeOverridden) {
   EXPECT_EQ(n.integrator, Integrator::kick_drift_kick);
   EXPECT_EQ(n.verlet_restart_interval, 20);
   EXPECT_EQ(n.cfl, 1.0);
-  EXPECT_TRUE(n.near_yield_limiter);
   EXPECT_EQ(n.skin, 0.2);
   EXPECT_EQ(n.density_minimum, 0.6);
   EXPECT_EQ(n.density_maximum, 1.1);
@@ -161,7 +159,6 @@ TEST(SceneReaderTest, PaperPresetIsThePapersAndModernTheDefaults) {
   EXPECT_FALSE(paper.lattice_normalisation);
   EXPECT_FALSE(paper.gradient_correction);
   EXPECT_EQ(paper.stress_rotation, StressRotation::jaumann);
-  EXPECT_EQ(paper.plasticity, Plasticity::return_mapping);
   EXPECT_EQ(paper.artificial_stress, 0.3);
   EXPECT_EQ(paper.artificial_stress_exponent, 2.55);
   EXPECT_EQ(paper.stress_diffusion, 0.0);

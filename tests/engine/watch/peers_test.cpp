@@ -143,7 +143,6 @@ TEST(PeersTest, NoOptionOfTheNumericsSilentlyDoesNothing) {
     n.integrator = Integrator::verlet;
     n.cfl = 0.2;
   };
-  const Change rate = [](Numerics& n) { n.plasticity = Plasticity::rate_corrected; };
   const Change tense = [](Numerics& n) { n.artificial_stress = 0.3; };
   const std::vector<Option> options{
       {"smoothing", plain, [](Numerics& n) { n.smoothing = SmoothingFunction::wendland_c2; }},
@@ -151,7 +150,6 @@ TEST(PeersTest, NoOptionOfTheNumericsSilentlyDoesNothing) {
       {"lattice_normalisation", plain, [](Numerics& n) { n.lattice_normalisation = false; }},
       {"gradient_correction", plain, [](Numerics& n) { n.gradient_correction = false; }},
       {"stress_rotation", plain, [](Numerics& n) { n.stress_rotation = StressRotation::jaumann; }},
-      {"plasticity", plain, rate},
       {"viscosity_alpha", plain, [](Numerics& n) { n.viscosity_alpha = 0.2; }},
       {"viscosity_beta", plain, [](Numerics& n) { n.viscosity_beta = 2.0; }},
       {"artificial_stress", plain, tense},
@@ -162,7 +160,6 @@ TEST(PeersTest, NoOptionOfTheNumericsSilentlyDoesNothing) {
       {"integrator", [](Numerics& n) { n.cfl = 0.2; }, verlet},
       {"verlet_restart_interval", verlet, [](Numerics& n) { n.verlet_restart_interval = 7; }},
       {"cfl", plain, [](Numerics& n) { n.cfl = 0.7; }},
-      {"near_yield_limiter", rate, [](Numerics& n) { n.near_yield_limiter = true; }},
       {"density_minimum", plain, [](Numerics& n) { n.density_minimum = 0.9999; }},
       {"density_maximum", plain, [](Numerics& n) { n.density_maximum = 1.0; }},
       {"precision", plain, [](Numerics& n) { n.precision = Precision::mixed; }},

@@ -45,8 +45,8 @@ void keys(benchmark::State& bench, State& state) {
   std::vector<std::uint64_t> out(static_cast<std::size_t>(soil.end));
   for (auto _ : bench) {
     for (std::int64_t k = soil.begin; k < soil.end; ++k) {
-      out[static_cast<std::size_t>(k)] =
-          morton_key(state.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0));
+      out[static_cast<std::size_t>(k)] = morton_key(
+          state.neighbours.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0));
     }
     benchmark::DoNotOptimize(out.data());
   }
@@ -72,20 +72,20 @@ void permute(benchmark::State& bench, State& state) {
 /// Cells and lists together, without sorting: what a rebuild costs.
 void rebuild(benchmark::State& bench, State& state) {
   for (auto _ : bench) {
-    state.lists_valid = false;
-    state.rebuilds = 1;  // the engine sorts at every fourth, counted from 0
+    state.neighbours.valid = false;
+    state.neighbours.rebuilds = 1;  // the engine sorts at every fourth, counted from 0
     refresh_neighbours(state);
   }
   count(bench, state);
-  bench.counters["entries_per_particle"] =
-      static_cast<double>(state.lists.entries()) / static_cast<double>(state.particles.count());
+  bench.counters["entries_per_particle"] = static_cast<double>(state.neighbours.lists.entries()) /
+                                           static_cast<double>(state.particles.count());
 }
 
 /// The same with a re-sort before it.
 void rebuild_sorted(benchmark::State& bench, State& state) {
   for (auto _ : bench) {
-    state.lists_valid = false;
-    state.rebuilds = 0;
+    state.neighbours.valid = false;
+    state.neighbours.rebuilds = 0;
     refresh_neighbours(state);
   }
   count(bench, state);
@@ -106,7 +106,8 @@ void put_in_order(State& state, Order wanted, bool compact) {
     std::vector<std::uint64_t> keys(order.size());
     for (std::int64_t k = soil.begin; k < soil.end; ++k) {
       std::array<std::uint32_t, 3> cell{};
-      const auto of = state.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0);
+      const auto of =
+          state.neighbours.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0);
       for (std::size_t a = 0; a < 3; ++a) cell[a] = static_cast<std::uint32_t>(of[a]);
       keys[static_cast<std::size_t>(k)] =
           wanted == Order::hilbert ? hilbert_key(cell, state.scene.dimension) : morton_key(of);
@@ -118,8 +119,8 @@ void put_in_order(State& state, Order wanted, bool compact) {
   if (compact)
     compact_clusters(state.threads, p, state.kernels.cluster_size, std::span(begin, end));
   state.particles.permute(state.threads, order);
-  state.lists_valid = false;
-  state.rebuilds = 1;
+  state.neighbours.valid = false;
+  state.neighbours.rebuilds = 1;
   refresh_neighbours(state);
 }
 
@@ -132,7 +133,7 @@ void sweep_in_order(benchmark::State& bench, const BlockOptions& options, Order 
   for (auto _ : bench) sweep_all(state);
   count(bench, state);
   bench.counters["useful_lane_share"] =
-      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.cluster_size);
+      pairs / (static_cast<double>(state.neighbours.lists.entries()) * state.kernels.cluster_size);
 }
 
 }  // namespace

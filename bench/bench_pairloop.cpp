@@ -99,10 +99,10 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   bench.counters["peak_share"] = per_second(pairs * flops / peak);
   bench.counters["peak_gflops"] = 1e-9 * peak;
   bench.counters["useful_lane_share"] =
-      pairs / (static_cast<double>(state.lists.entries()) * state.kernels.cluster_size);
+      pairs / (static_cast<double>(state.neighbours.lists.entries()) * state.kernels.cluster_size);
   bench.counters["bytes_per_particle"] =
-      static_cast<double>(state.particles.bytes() + state.records.bytes() +
-                          state.narrow_records.bytes() + state.lists.bytes()) /
+      static_cast<double>(state.particles.bytes() + state.sweep.records.bytes() +
+                          state.sweep.narrow_records.bytes() + state.neighbours.lists.bytes()) /
       particles;
 }
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/state.hpp"
+#include "engine/setup.hpp"
 #include "kernels/neighbour_block.hpp"
 
 namespace scarp::bench {
@@ -100,11 +100,11 @@ inline State block_state(const BlockOptions& options) {
 /// Ordered pairs of soil particles closer than the support, counted from the lists, the particle's
 /// own entry left out.
 inline std::int64_t true_pairs(State& state) {
-  const kernels::NeighbourView lists = state.lists.view();
+  const kernels::NeighbourView lists = state.neighbours.lists.view();
   const int size = state.kernels.cluster_size, dimension = state.scene.dimension;
   const double support = 2.0;
   std::int64_t pairs = 0;
-  for (std::int64_t cluster = 0; cluster < state.lists.clusters(); ++cluster) {
+  for (std::int64_t cluster = 0; cluster < state.neighbours.lists.clusters(); ++cluster) {
     const std::int64_t blocks = lists.wall_begin[cluster] - lists.soil_begin[cluster];
     for (std::int64_t e = 0; e < blocks * kernels::entry_block; ++e) {
       const kernels::NeighbourBlock block(lists,
@@ -114,7 +114,7 @@ inline std::int64_t true_pairs(State& state) {
         if (i == j || state.particles.ids()[static_cast<std::size_t>(i)] < 0) continue;
         double square = 0.0;
         for (int a = 0; a < dimension; ++a) {
-          const double d = state.records.record(i)[a] - state.records.record(j)[a];
+          const double d = state.sweep.records.record(i)[a] - state.sweep.records.record(j)[a];
           square += d * d;
         }
         pairs += square < support * support;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// What a run uses and what was left out, for `scarp check`.
+#include "engine/features.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -43,10 +45,10 @@ std::vector<UsedFeature> used_features(const State& state) {
       {"second time level", verlet,
        bytes({Field::previous_velocity, Field::previous_density, Field::previous_stress})},
       {"second sweep per step", !verlet, "kick-drift-kick sweeps gradient and force apart"},
-      {"walls", state.walls.count() > 0,
-       fmt::format("{} dummy particles, swept only near soil", state.walls.count())},
+      {"walls", state.boundary.walls.count() > 0,
+       fmt::format("{} dummy particles, swept only near soil", state.boundary.walls.count())},
       {"mirror images",
-       state.images.count() > 0 ||
+       state.boundary.images.count() > 0 ||
            std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
                        [](const Wall& w) { return w.kind == WallKind::free_slip; }),
        "soil near free-slip walls is mirrored"},

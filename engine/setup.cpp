@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Turns a scene into the state of a run: what it uses is chosen here, once.
+#include "engine/setup.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -15,7 +17,6 @@
 #include "engine/particles/probe_particles.hpp"
 #include "engine/particles/soil_above.hpp"
 #include "engine/scene/smoothing_choice.hpp"
-#include "engine/state.hpp"
 #include "engine/stop.hpp"
 #include "kernels/constitutive/list.hpp"
 #include "kernels/smoothing/list.hpp"
@@ -144,7 +145,7 @@ void fill_particles(State& state, const SoilPoints& soil) {
 void set_pair_constants(State& state) {
   const Numerics& n = state.scene.numerics;
   const kernels::SmoothingForm& form = smoothing_of(n);
-  kernels::PairConstants<double>& c = state.pair_constants;
+  kernels::PairConstants<double>& c = state.sweep.constants;
   for (int k = 0; k < 3; ++k) {
     c.smoothing.derivative[k] = form.derivative(k);
     c.smoothing.value[k] = form.value[k];
@@ -216,14 +217,16 @@ void set_material_constants(State& state) {
 
 void place_walls(State& state) {
   const double cell = 0.5 * (2.0 + state.scene.numerics.skin) * state.smoothing_length;
-  WallDummies moved = state.dummies;
+  WallDummies moved = state.boundary.dummies;
   for (std::size_t k = 0; k < moved.position.size(); ++k) {
-    for (std::size_t a = 0; a < 3; ++a) moved.position[k][a] += state.wall_offset[moved.wall[k]][a];
+    for (std::size_t a = 0; a < 3; ++a)
+      moved.position[k][a] += state.boundary.offset[moved.wall[k]][a];
   }
-  state.walls = Walls(moved, state.wall_stands, cell, state.scaling.inverse_smoothing_length);
-  state.placed_wall_offset = state.built_wall_offset = state.wall_offset;
-  state.records = Records(state.particles.slots(), state.walls.slots());
-  state.lists_valid = false;
+  state.boundary.walls =
+      Walls(moved, state.boundary.stands, cell, state.scaling.inverse_smoothing_length);
+  state.boundary.placed_offset = state.boundary.built_offset = state.boundary.offset;
+  state.sweep.records = Records(state.particles.slots(), state.boundary.walls.slots());
+  state.neighbours.valid = false;
 }
 
 namespace {
@@ -254,8 +257,8 @@ State make_state(Scene scene, const RunOptions& options) {
   state.smoothing_length = n.smoothing_ratio * state.scene.spacing;
   const LatticeSums sums = lattice_sums(smoothing_of(n), n.smoothing_ratio, dimension);
   state.lattice_moment = sums.moment;
-  state.acoustic_cfl_limit = acoustic_cfl_limit(n, sums);
-  state.dissipation = dissipation_rates(n, sums, state.kernels.diffusion);
+  state.limits.acoustic_cfl = acoustic_cfl_limit(n, sums);
+  state.limits.dissipation = dissipation_rates(n, sums, state.kernels.diffusion);
   state.particle_volume = std::pow(state.scene.spacing, dimension);
   state.scaling.inverse_smoothing_length = 1.0 / state.smoothing_length;
   state.scaling.gradient_factor = smoothing_of(n).normalisation(dimension) /
@@ -271,11 +274,11 @@ State make_state(Scene scene, const RunOptions& options) {
   set_pair_constants(state);
   const SoilPoints soil = generate_soil(state.scene, state.options.stop);
   check_wall_clearance(state.scene, soil, state.options.stop);
-  state.dummies = generate_dummies(state.scene, state.options.stop);
-  state.wall_offset.assign(state.scene.walls.size(), Vec3{});
-  state.wall_stands.assign(state.scene.walls.size(), true);
-  state.wall_velocity.assign(state.scene.walls.size(), Vec3{});
-  state.hold_force.assign(state.scene.walls.size(), Vec3{});
+  state.boundary.dummies = generate_dummies(state.scene, state.options.stop);
+  state.boundary.offset.assign(state.scene.walls.size(), Vec3{});
+  state.boundary.stands.assign(state.scene.walls.size(), true);
+  state.boundary.velocity.assign(state.scene.walls.size(), Vec3{});
+  state.boundary.hold_force.assign(state.scene.walls.size(), Vec3{});
   fill_particles(state, soil);
   stop_if_asked(state.options.stop);
   place_walls(state);

@@ -12,6 +12,7 @@
 
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
+#include "engine/setup.hpp"
 #include "engine/state.hpp"
 #include "engine/stop.hpp"
 #include "engine/watch/watch.hpp"
@@ -118,7 +119,7 @@ const StepReport& Simulation::step() {
   }
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
-  const std::uint64_t rebuilds = state.rebuilds;
+  const std::uint64_t rebuilds = state.neighbours.rebuilds;
   state.threads = state.team.threads();
   Clock::time_point before = began;
   double* seconds = owned(impl_).phase_seconds.data();
@@ -129,7 +130,7 @@ const StepReport& Simulation::step() {
     before = after;
   }
   state.team.took(std::chrono::duration<double>(before - began).count(),
-                  state.rebuilds != rebuilds);
+                  state.neighbours.rebuilds != rebuilds);
   return state.report;
 }
 
@@ -191,7 +192,7 @@ std::size_t Simulation::soil_count() const {
   return static_cast<std::size_t>(owned(impl_).state.particles.count());
 }
 std::size_t Simulation::wall_count() const {
-  return static_cast<std::size_t>(owned(impl_).state.walls.count());
+  return static_cast<std::size_t>(owned(impl_).state.boundary.walls.count());
 }
 
 std::vector<FieldInfo> Simulation::fields() const {
@@ -252,7 +253,7 @@ std::vector<double> Simulation::field(std::string_view name) const {
 }
 
 std::vector<double> Simulation::wall_positions() const {
-  const Walls& walls = owned(impl_).state.walls;
+  const Walls& walls = owned(impl_).state.boundary.walls;
   std::vector<double> out;
   for (std::int64_t k = 0; k < walls.count(); ++k) {
     for (const double* axis : {walls.points().x, walls.points().y, walls.points().z})
@@ -304,23 +305,25 @@ const std::vector<ProbeParticle>& Simulation::probe_particles() const {
 }
 
 double Simulation::smoothing_length() const { return owned(impl_).state.smoothing_length; }
-double Simulation::acoustic_cfl_limit() const { return owned(impl_).state.acoustic_cfl_limit; }
+double Simulation::acoustic_cfl_limit() const { return owned(impl_).state.limits.acoustic_cfl; }
 double Simulation::lattice_moment() const { return owned(impl_).state.lattice_moment; }
 std::string Simulation::isa() const { return owned(impl_).state.kernels.table->name; }
 int Simulation::threads() const { return owned(impl_).state.team.most(); }
 const RunOptions& Simulation::options() const { return owned(impl_).state.options; }
 std::size_t Simulation::memory_bytes() const {
   const State& s = owned(impl_).state;
-  return s.particles.bytes() + s.records.bytes() + s.narrow_records.bytes() + s.walls.bytes() +
-         s.images.bytes() + s.lists.bytes() + s.wall_lists.bytes() + s.soil_cells.bytes() +
-         s.image_cells.bytes() + s.wall_cells.bytes();
+  const Boundary& b = s.boundary;
+  const Neighbours& n = s.neighbours;
+  return s.particles.bytes() + s.sweep.records.bytes() + s.sweep.narrow_records.bytes() +
+         b.walls.bytes() + b.images.bytes() + n.lists.bytes() + n.wall_lists.bytes() +
+         n.soil_cells.bytes() + n.image_cells.bytes() + n.wall_cells.bytes();
 }
-std::uint64_t Simulation::rebuild_count() const { return owned(impl_).state.rebuilds; }
+std::uint64_t Simulation::rebuild_count() const { return owned(impl_).state.neighbours.rebuilds; }
 std::uint64_t Simulation::density_bound_count() const { return owned(impl_).state.density_bounds; }
 const StepLimitCounts& Simulation::step_limit_counts() const {
-  return owned(impl_).state.limit_counts;
+  return owned(impl_).state.limits.counts;
 }
-std::uint64_t Simulation::face_hold_count() const { return owned(impl_).state.holds; }
+std::uint64_t Simulation::face_hold_count() const { return owned(impl_).state.boundary.holds; }
 std::vector<PhaseTime> Simulation::profile() const {
   std::vector<PhaseTime> times;
   const double* seconds = owned(impl_).phase_seconds.data();

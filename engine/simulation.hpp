@@ -2,112 +2,24 @@
 /// Public entry of the library: a scene becomes particles, `step()` advances them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/boundary/wall_reaction.hpp"
 #include "engine/checkpoint/snapshot.hpp"
+#include "engine/energy/energy_balance.hpp"
+#include "engine/features.hpp"
+#include "engine/integrate/step_report.hpp"
+#include "engine/particles/probe_sample.hpp"
+#include "engine/run_options.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/watch/lost_soil.hpp"
 
 namespace scarp {
-
-/// How a run is carried out; nothing here changes the physics.
-struct RunOptions {
-  /// 0: as many as pay at the moment, at most what OpenMP would take (see `Team`); else exactly
-  /// that many. Errors: SceneError if there are fewer cores.
-  int threads = 0;
-  std::string isa;  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
-  bool oversubscribe = false;  ///< allows up to 16 threads on fewer cores: slow, for tests
-  /// Whether to stop: looked at before each step and within the set-up, by copies of a simulation
-  /// too, in the thread that called. Cheap, and safe to call at any time; empty: never.
-  std::function<bool()> stop = {};
-};
-
-/// Which bound set a time step (THEORY.md section 10): sound in the stiffest soil, approach faster
-/// than that sound, acceleration, artificial viscosity, stress diffusion; or the rate at which
-/// steps may grow, the end of the stage.
-enum class StepLimit { acoustic, approach, force, viscous, diffusion, growth, stage_end };
-inline constexpr const char* step_limit_names[]{"acoustic",  "approach", "force",    "viscous",
-                                                "diffusion", "growth",   "stage_end"};
-inline const char* name_of(StepLimit limit) {
-  const auto index = static_cast<std::size_t>(limit);
-  return index < std::size(step_limit_names) ? step_limit_names[index] : "unknown";
-}
-/// How many steps each limit has set.
-using StepLimitCounts = std::array<std::uint64_t, std::size(step_limit_names)>;
-
-/// What the last step did.
-struct StepReport {
-  std::uint64_t step = 0;
-  double time = 0.0;        ///< simulated time since the start [s]
-  double stage_time = 0.0;  ///< since the start of the stage [s]
-  double time_step = 0.0;   ///< [s]
-  StepLimit limit = StepLimit::acoustic;
-  double max_velocity = 0.0;        ///< of the soil that is not lost [m/s]
-  std::size_t signal_material = 0;  ///< index of the material in which signals are fastest
-};
-
-/// Energies [J, per metre of thickness in 2D]; dissipated parts are 0 unless `Output::energy`.
-struct EnergyBalance {
-  double kinetic = 0.0;
-  double potential = 0.0;          ///< relative to the start of the stage
-  double elastic = 0.0;            ///< relative to the start of the stage
-  double plastic = 0.0;            ///< work of the stress on the plastic strain
-  double viscous = 0.0;            ///< taken by the artificial viscosity (with the walls' share)
-  double damping = 0.0;            ///< taken by F = -c_d v
-  double wall = 0.0;               ///< work the soil does on walls
-  double artificial_stress = 0.0;  ///< taken by the artificial stress
-  double gradient_residue =
-      0.0;                 ///< force power minus stress power: plain force, corrected gradient
-  double diffusion = 0.0;  ///< elastic energy taken by the stress diffusion
-  double imbalance = 0.0;  ///< what the lines above leave open
-};
-
-/// Soil that has left everything that could hold it (THEORY.md section 10).
-struct LostSoil {
-  std::uint64_t particles = 0;
-  double mass = 0.0;        ///< [kg, per metre in 2D]
-  std::int64_t first = -1;  ///< id of the first one; the rest is about it, when it was found
-  std::uint64_t step = 0;
-  double time = 0.0;  ///< [s]
-  std::string stage;
-  Vec3 position{};
-
-  /// "2 of 200 particles were lost ...", in one sentence.
-  std::string message(std::size_t all) const;
-};
-
-/// Sum of the forces the soil exerts on a wall [N, per metre in 2D]: those of all pairs where the
-/// particles stand now, and the mean over the last step of what no-slip faces held off (B4).
-struct WallReaction {
-  std::string wall;
-  Vec3 force{};
-};
-
-struct ProbeSample {
-  std::string probe;
-  Vec3 position{};
-  Vec3 displacement{};
-  Vec3 velocity{};
-  std::array<double, 6> stress{};  ///< xx, yy, zz, xy, yz, zx, tension positive [Pa]
-  double density = 0.0;
-  double accumulated_plastic_strain = 0.0;
-};
-
-/// The particle that a probe follows: the nearest one to its point at the start.
-struct ProbeParticle {
-  std::string probe;
-  std::int64_t particle = 0;  ///< permanent id
-  Vec3 start{};               ///< where it was at the start [m]
-  double distance = 0.0;      ///< from the probe's point then [m]
-  std::size_t tied = 1;       ///< particles that were as near, itself included
-};
 
 /// A quantity of the particles that can be read out and written to frames.
 struct FieldInfo {
@@ -115,13 +27,6 @@ struct FieldInfo {
   std::string unit;
   int components = 1;  ///< 1, 3 (x, y, z) or 6 (xx, yy, zz, xy, yz, zx)
   std::string description;
-};
-
-/// One way the run was specialised, for `scarp check`.
-struct UsedFeature {
-  std::string name;
-  bool used = false;
-  std::string note;  ///< why, or what leaving it out saves
 };
 
 /// Wall time of one phase of the step, over all steps so far.

@@ -54,9 +54,9 @@ double hold_off_distance(double spacing) { return nearest * spacing; }
 /// Equation: B4; the velocity towards the face, relative to it, becomes zero. Pair sums alone let
 /// single grains of a thin front sink: their stress goes to zero with every bounce at the apex.
 void hold_off_faces(State& state) {
-  if (state.walls.count() == 0 && state.images.count() == 0) return;
+  if (state.boundary.walls.count() == 0 && state.boundary.images.count() == 0) return;
   const std::size_t walls = state.scene.walls.size();
-  const kernels::NeighbourView lists = state.lists.view();
+  const kernels::NeighbourView lists = state.neighbours.lists.view();
   const std::int64_t size = state.kernels.cluster_size;
   const int dimension = state.scene.dimension;
   const double spacing = state.scene.spacing;
@@ -77,12 +77,12 @@ void hold_off_faces(State& state) {
     for (int pass = 0; pass < most_passes && faces > 1; ++pass) {
       faces = 0;
       for (std::size_t w = 0; w < walls; ++w) {
-        if (!state.wall_stands[w]) continue;
-        const Vec3 from_wall = minus(x, state.wall_offset[w]);
+        if (!state.boundary.stands[w]) continue;
+        const Vec3 from_wall = minus(x, state.boundary.offset[w]);
         for (const Facet& facet : state.scene.walls[w].facets) {
           const FacetCoordinates at = coordinates(facet, dimension, from_wall);
           if (at.depth < -nearest * spacing || at.depth > -deepest * spacing) continue;
-          const double approach = -dot(minus(v, state.wall_velocity[w]), facet.normal);
+          const double approach = -dot(minus(v, state.boundary.velocity[w]), facet.normal);
           if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
           v = plus(v, approach, facet.normal);
           held = true;
@@ -99,7 +99,7 @@ void hold_off_faces(State& state) {
     Holds holds;
     for (std::int64_t cluster = begin; cluster < end; ++cluster) {
       const bool has_dummies = lists.wall_begin[cluster] != lists.soil_begin[cluster + 1];
-      if (!has_dummies && !state.images.is_close(cluster * size, size)) continue;
+      if (!has_dummies && !state.boundary.images.is_close(cluster * size, size)) continue;
       const ParticleGroup& group = state.particles.group_of(cluster * size);
       const double mass = state.scaling.mass[group.material];
       const std::int64_t last = std::min((cluster + 1) * size, group.end());
@@ -107,11 +107,12 @@ void hold_off_faces(State& state) {
     }
     return holds;
   };
-  const Holds all = parallel_reduce(state.threads, state.lists.clusters(), particle_chunk / size,
-                                    Holds{}, run, merge);
-  state.holds += all.count;
+  const Holds all = parallel_reduce(state.threads, state.neighbours.lists.clusters(),
+                                    particle_chunk / size, Holds{}, run, merge);
+  state.boundary.holds += all.count;
   for (std::size_t w = 0; w < all.impulse.size(); ++w)
-    state.hold_force[w] = plus(state.hold_force[w], force_over_impulse(state), all.impulse[w]);
+    state.boundary.hold_force[w] =
+        plus(state.boundary.hold_force[w], force_over_impulse(state), all.impulse[w]);
 }
 
 }  // namespace scarp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Forces on the walls, summed only when asked for.
-#include <utility>
+#include "engine/boundary/boundary.hpp"
 
 #include "engine/state.hpp"
 
@@ -8,9 +8,10 @@ namespace scarp {
 namespace {
 
 /// Momentum per time that all pairs give to the soil; pairs of soil particles cancel.
-Vec3 total_force(State& state, const kernels::PairSweepView<double>& view) {
+Vec3 total_force(const State& state, const kernels::PairSweepView<double>& view,
+                 NarrowRecords& narrow) {
   Vec3 sum{};
-  sweep_force_with(state, view);
+  sweep_force_with(state, view, narrow);
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::size_t a = 0; a < static_cast<std::size_t>(state.scene.dimension); ++a) {
       double part = 0.0;
@@ -23,42 +24,46 @@ Vec3 total_force(State& state, const kernels::PairSweepView<double>& view) {
 
 }  // namespace
 
-/// A force sweep with the wall's dummies and images against one with their volumes set to zero: the
-/// difference is what the wall gives to the soil, the reaction minus that. What a face held off in
-/// the last step comes on top.
-std::vector<WallReaction> wall_reactions(State& state) {
+/// What a wall gives to the soil is the difference of two force sweeps: of the step's records, and
+/// of a copy in which the volumes of the wall's dummies and images are zero. The reaction is minus
+/// that, and what the wall's faces held off in the last step.
+std::vector<WallReaction> wall_reactions(const State& state) {
   std::vector<WallReaction> reactions;
   for (const Wall& wall : state.scene.walls) reactions.push_back({wall.name, {}});
-  if (!state.lists_valid || reactions.empty()) return reactions;
+  if (!state.neighbours.valid || reactions.empty()) return reactions;
   AlignedVector<double> acceleration[3];
-  kernels::PairSweepView<double> view = sweep_view(state);
-  view.approach_rate = nullptr;
+  NarrowRecords narrow;
+  kernels::PairSweepView<double> view = sweep_input_view(state);
   // As in the step's own sweep; empty tension records leave the force as it is.
-  state.records.fill(view, state.records.has_tension_records());
+  state.sweep.records.fill(view, state.sweep.records.has_tension_records());
   for (std::size_t a = 0; a < 3; ++a) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
     view.acceleration[a] = acceleration[a].data();
   }
-  const Vec3 with_all = total_force(state, view);
+  const Vec3 with_all = total_force(state, view, narrow);
+  const Boundary& boundary = state.boundary;
+  const std::int64_t slots = state.sweep.records.far_record() + 1;
+  const double* const records = view.records;
   for (std::size_t w = 0; w < reactions.size(); ++w) {
-    if (!state.wall_stands[w]) continue;
-    reactions[w].force = state.hold_force[w];
-    std::vector<std::pair<double*, double>> silenced;
-    const auto silence = [&](std::int64_t record) {
-      double& volume = state.records.record(record)[kernels::record_volume];
-      silenced.emplace_back(&volume, volume);
-      volume = 0.0;
+    if (!boundary.stands[w]) continue;
+    reactions[w].force = boundary.hold_force[w];
+    AlignedVector<double> masked(records, records + slots * kernels::record_size);
+    bool any = false;
+    const auto mask = [&](std::int64_t record) {
+      masked[static_cast<std::size_t>(record * kernels::record_size + kernels::record_volume)] =
+          0.0;
+      any = true;
     };
-    for (std::int64_t k = 0; k < state.walls.count(); ++k) {
-      if (state.walls.wall_of(k) == w) silence(state.records.first_wall() + k);
+    for (std::int64_t k = 0; k < boundary.walls.count(); ++k) {
+      if (boundary.walls.wall_of(k) == w) mask(state.sweep.records.first_wall() + k);
     }
-    for (std::int64_t k = 0; k < state.images.count(); ++k) {
-      if (state.images.wall_of(k) == w) silence(state.records.first_image() + k);
+    for (std::int64_t k = 0; k < boundary.images.count(); ++k) {
+      if (boundary.images.wall_of(k) == w) mask(state.sweep.records.first_image() + k);
     }
-    if (silenced.empty()) continue;
-    const Vec3 without = total_force(state, view);
+    if (!any) continue;
+    view.records = masked.data();
+    const Vec3 without = total_force(state, view, narrow);
     for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] += without[a] - with_all[a];
-    for (const auto& [volume, value] : silenced) *volume = value;
   }
   return reactions;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The walls' phase of a step: dummies into the records, velocity and stress from the soil.
+#include "engine/boundary/boundary.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,19 +25,19 @@ WallMaterial wall_material(const State& state) {
 }  // namespace
 
 void extrapolate_walls(State& state) {
-  if (state.walls.count() == 0) return;
+  if (state.boundary.walls.count() == 0) return;
   kernels::WallSweepView<double> view{};
   kernels::PairSweepView<double> records{};
-  state.records.fill(records, false);
+  state.sweep.records.fill(records, false);
   view.records = records.records;
-  view.first_wall = state.records.first_wall();
-  view.neighbours = state.wall_lists.view();
-  view.smoothing = state.pair_constants.smoothing;
+  view.first_wall = state.sweep.records.first_wall();
+  view.neighbours = state.neighbours.wall_lists.view();
+  view.smoothing = state.sweep.constants.smoothing;
   for (std::size_t a = 0; a < 3; ++a)
     view.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
-  state.walls.extrapolate(state.threads, *state.kernels.table, state.scene.dimension,
-                          state.wall_lists, view, wall_material(state), state.wall_velocity,
-                          state.records);
+  state.boundary.walls.extrapolate(state.threads, *state.kernels.table, state.scene.dimension,
+                                   state.neighbours.wall_lists, view, wall_material(state),
+                                   state.boundary.velocity, state.sweep.records);
 }
 
 }  // namespace scarp

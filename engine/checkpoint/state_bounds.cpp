@@ -12,6 +12,7 @@
 
 #include "engine/checkpoint/finite_numbers.hpp"
 #include "engine/errors.hpp"
+#include "engine/state.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace scarp {

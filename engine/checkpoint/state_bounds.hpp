@@ -5,9 +5,10 @@
 #include <string>
 
 #include "engine/checkpoint/snapshot.hpp"
-#include "engine/state.hpp"
 
 namespace scarp {
+
+struct State;
 
 /// Positions under `item` are within ten thousand sizes of the soil, as `make_state` placed it in
 /// `state`: farther out they would be a matter for the cells' memory. Errors: CheckpointError.

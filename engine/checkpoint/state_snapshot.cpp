@@ -12,6 +12,8 @@
 #include "engine/checkpoint/scene_text.hpp"
 #include "engine/checkpoint/state_bounds.hpp"
 #include "engine/errors.hpp"
+#include "engine/setup.hpp"
+#include "engine/state.hpp"
 
 namespace scarp {
 namespace {
@@ -104,14 +106,14 @@ void exchange(Archive& a, AnyState& state) {
   a.number("stage/damping", "1/s", state.stage.damping, not_negative);
   a.number("stage/rest_window", "s", state.stage.rest_window, not_negative);
   a.number("stage/start_speed", "m/s", state.stage.start_speed, not_negative);
-  a.integer("lists/valid", state.lists_valid);
-  a.integer("lists/rebuilds", state.rebuilds);
-  a.number("lists/walls_moved", "m", state.walls_moved, not_negative);
+  a.integer("lists/valid", state.neighbours.valid);
+  a.integer("lists/rebuilds", state.neighbours.rebuilds);
+  a.number("lists/walls_moved", "m", state.boundary.moved, not_negative);
   a.integer("counts/density_bounds", state.density_bounds);
-  a.integer("counts/face_holds", state.holds);
+  a.integer("counts/face_holds", state.boundary.holds);
   for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
     a.integer(fmt::format("counts/steps_by_{}", step_limit_names[k]).c_str(),
-              state.limit_counts[k]);
+              state.limits.counts[k]);
   auto& ledger = state.ledger;
   const auto powers = [&a](const char* const(&names)[6], const char* unit, auto& p) {
     a.number(names[0], unit, p.stress);
@@ -218,11 +220,11 @@ void put_ids(const Snapshot& from, State& state) {
 
 void put_walls(const Snapshot& from, State& state) {
   const std::vector<std::int64_t>& stands = from.integers("walls/stands", state.scene.walls.size());
-  for (std::size_t w = 0; w < stands.size(); ++w) state.wall_stands[w] = stands[w] != 0;
-  put_vectors(from, "walls/placed_offset", state.wall_offset);
+  for (std::size_t w = 0; w < stands.size(); ++w) state.boundary.stands[w] = stands[w] != 0;
+  put_vectors(from, "walls/placed_offset", state.boundary.offset);
   place_walls(state);
-  put_vectors(from, "walls/velocity", state.wall_velocity);
-  put_vectors(from, "walls/hold_force", state.hold_force);
+  put_vectors(from, "walls/velocity", state.boundary.velocity);
+  put_vectors(from, "walls/hold_force", state.boundary.hold_force);
 }
 
 void take_lost(Snapshot& out, const State& state) {
@@ -264,8 +266,9 @@ void put_lost(const Snapshot& from, State& state) {
 /// Lists depend on nothing but what stood where when they were built.
 void build_lists_again(const Snapshot& from, State& state) {
   put_field(from, row(Field::build_position).name, Field::position, state);
-  put_vectors(from, "walls/built_offset", state.wall_offset);
-  if (from.has("walls/built_position")) put_dummies(from, "walls/built_position", state.walls);
+  put_vectors(from, "walls/built_offset", state.boundary.offset);
+  if (from.has("walls/built_position"))
+    put_dummies(from, "walls/built_position", state.boundary.walls);
   build_lists(state);
 }
 
@@ -277,16 +280,16 @@ Snapshot take_snapshot(const State& state) {
   out.add("isa", std::string(state.kernels.table->name));
   Taker taker(out);
   exchange(taker, state);
-  std::vector<std::int64_t> stands(state.wall_stands.begin(), state.wall_stands.end());
+  std::vector<std::int64_t> stands(state.boundary.stands.begin(), state.boundary.stands.end());
   out.add("walls/stands", std::move(stands));
-  take_vectors(out, "walls/velocity", "m/s", state.wall_velocity);
-  take_vectors(out, "walls/hold_force", "N", state.hold_force);
-  take_vectors(out, "walls/offset", "m", state.wall_offset);
-  take_vectors(out, "walls/placed_offset", "m", state.placed_wall_offset);
-  take_vectors(out, "walls/built_offset", "m", state.built_wall_offset);
-  if (state.walls.have_moved()) {
-    take_dummies(out, "walls/position", state.walls, false);
-    take_dummies(out, "walls/built_position", state.walls, true);
+  take_vectors(out, "walls/velocity", "m/s", state.boundary.velocity);
+  take_vectors(out, "walls/hold_force", "N", state.boundary.hold_force);
+  take_vectors(out, "walls/offset", "m", state.boundary.offset);
+  take_vectors(out, "walls/placed_offset", "m", state.boundary.placed_offset);
+  take_vectors(out, "walls/built_offset", "m", state.boundary.built_offset);
+  if (state.boundary.walls.have_moved()) {
+    take_dummies(out, "walls/position", state.boundary.walls, false);
+    take_dummies(out, "walls/built_position", state.boundary.walls, true);
   }
   take_lost(out, state);
   take_fields(out, state);
@@ -310,18 +313,18 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   put_lost(snapshot, state);
   Putter putter(snapshot);
   exchange(putter, state);
-  const bool lists_valid = state.lists_valid;
-  const double walls_moved = state.walls_moved;
+  const bool lists_valid = state.neighbours.valid;
+  const double walls_moved = state.boundary.moved;
   set_material_constants(state);
   if (lists_valid) build_lists_again(snapshot, state);
-  state.lists_valid = lists_valid;
-  state.walls_moved = walls_moved;
+  state.neighbours.valid = lists_valid;
+  state.boundary.moved = walls_moved;
   for (const FieldRow& field : field_list) {
     if (state.particles.has(field.field) && kept(field))
       put_field(snapshot, field.name, field.field, state);
   }
-  put_vectors(snapshot, "walls/offset", state.wall_offset);
-  if (snapshot.has("walls/position")) put_dummies(snapshot, "walls/position", state.walls);
+  put_vectors(snapshot, "walls/offset", state.boundary.offset);
+  if (snapshot.has("walls/position")) put_dummies(snapshot, "walls/position", state.boundary.walls);
   if (state.stage.started) require_sound(state);
   if (!lists_valid) return;
   pack_records(state);  // no step needs it, but who asks for forces on walls first

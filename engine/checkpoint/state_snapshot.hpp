@@ -3,9 +3,10 @@
 #pragma once
 
 #include "engine/checkpoint/snapshot.hpp"
-#include "engine/state.hpp"
 
 namespace scarp {
+
+struct State;
 
 /// Everything a bit-exact continuation needs between two steps; changes nothing.
 Snapshot take_snapshot(const State& state);

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/errors.hpp"
-#include "engine/state.hpp"
+#include "engine/setup.hpp"
 #include "kernels/constitutive/list.hpp"
 #include "kernels/constitutive/yield_return.hpp"
 

@@ -20,7 +20,7 @@ void choose_time_step(State& state) {
   const StateExtremes extremes = find_extremes(state.threads, state.particles, state.scaling,
                                                state.scene.gravity, state.stage.damping);
   if (extremes.bad_slot >= 0) throw SimulationInstability(not_finite(state, extremes.bad_slot));
-  auto [dt, limit] = admissible_step(extremes, state.dissipation, state.smoothing_length,
+  auto [dt, limit] = admissible_step(extremes, state.limits.dissipation, state.smoothing_length,
                                      state.scene.numerics.cfl * state.clock.step_factor);
   StepClock& clock = state.clock;
   if (clock.growth_base > 0.0 && dt > largest_growth * clock.growth_base) {
@@ -35,7 +35,8 @@ void choose_time_step(State& state) {
     limit = StepLimit::stage_end;
   }
   clock.time_step = dt;
-  std::fill(state.hold_force.begin(), state.hold_force.end(), Vec3{});  // of the step before
+  std::fill(state.boundary.hold_force.begin(), state.boundary.hold_force.end(),
+            Vec3{});  // of the step before
   state.report.limit = limit;
   state.report.time_step = dt;
   state.report.max_velocity =

@@ -4,8 +4,9 @@
 
 #include <cstdint>
 
+#include "engine/integrate/step_report.hpp"
 #include "engine/particles/particle_buffers.hpp"
-#include "engine/simulation.hpp"
+#include "engine/scene/scene.hpp"
 #include "engine/sweep/records.hpp"
 
 namespace scarp {

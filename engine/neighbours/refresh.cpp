@@ -27,7 +27,7 @@ void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
   std::size_t next = 0;
   for (const SlotRange& range : ranges) {
     for (std::int64_t k = range.begin; k < range.end; ++k) {
-      order[static_cast<std::size_t>(k)] = state.soil_cells.order()[next++];
+      order[static_cast<std::size_t>(k)] = state.neighbours.soil_cells.order()[next++];
     }
     compact_clusters(state.threads, points_of(state.particles), state.kernels.cluster_size,
                      std::span(order).subspan(static_cast<std::size_t>(range.begin),
@@ -48,27 +48,27 @@ std::vector<SlotRange> soil_ranges(const State& state) {
 }
 
 void build_soil_cells(State& state, const std::vector<SlotRange>& ranges) {
-  state.soil_cells.build(state.threads, points_of(state.particles), ranges,
-                         0.5 * list_reach(state));
+  state.neighbours.soil_cells.build(state.threads, points_of(state.particles), ranges,
+                                    0.5 * list_reach(state));
 }
 
 double pack_soil(State& state) {
-  return state.records.pack_soil(state.threads, state.particles, state.scaling);
+  return state.sweep.records.pack_soil(state.threads, state.particles, state.scaling);
 }
 
 void pack_images(State& state) {
-  state.images.pack(state.records, state.scaling.inverse_smoothing_length, state.wall_offset,
-                    state.wall_velocity, state.scene.gravity);
+  state.boundary.images.pack(state.sweep.records, state.scaling.inverse_smoothing_length,
+                             state.boundary.offset, state.boundary.velocity, state.scene.gravity);
 }
 
 void rebuild(State& state) {
-  if (state.lists_valid) watch_walls(state);
-  if (state.rebuilds % rebuilds_per_sort == 0) {
+  if (state.neighbours.valid) watch_walls(state);
+  if (state.neighbours.rebuilds % rebuilds_per_sort == 0) {
     const std::vector<SlotRange> ranges = soil_ranges(state);
     build_soil_cells(state, ranges);
     sort_particles(state, ranges);
   }
-  ++state.rebuilds;
+  ++state.neighbours.rebuilds;
   build_lists(state);
 }
 
@@ -85,49 +85,53 @@ void build_lists(State& state) {
   const int dimension = state.scene.dimension;
   // Dummies beside a plane need the images their own stress is taken from: twice the reach of the
   // soil.
-  const double image_reach = state.walls.count() > 0 ? 2.0 * reach : reach;
-  state.images.select(
-      state.scene, state.wall_stands, state.wall_offset, points_of(state.particles), ranges, k0,
-      image_reach,
+  const double image_reach = state.boundary.walls.count() > 0 ? 2.0 * reach : reach;
+  state.boundary.images.select(
+      state.scene, state.boundary.stands, state.boundary.offset, points_of(state.particles), ranges,
+      k0, image_reach,
       hold_off_distance(state.scene.spacing) + state.scene.numerics.skin * state.smoothing_length);
-  state.records.resize_images(state.images.count());
+  state.sweep.records.resize_images(state.boundary.images.count());
   NeighbourLists::Input input;
   input.points = points_of(state.particles);
   input.ranges = ranges;
   input.slots = state.particles.slots();
-  input.soil = {&state.soil_cells, input.points, 0};
-  if (state.images.count() > 0) {
-    const SlotRange images{0, state.images.count()};
-    state.image_cells.build(state.threads, state.images.points(), {&images, 1}, cell);
-    input.images = {&state.image_cells, state.images.points(), state.records.first_image()};
+  input.soil = {&state.neighbours.soil_cells, input.points, 0};
+  if (state.boundary.images.count() > 0) {
+    const SlotRange images{0, state.boundary.images.count()};
+    state.neighbours.image_cells.build(state.threads, state.boundary.images.points(), {&images, 1},
+                                       cell);
+    input.images = {&state.neighbours.image_cells, state.boundary.images.points(),
+                    state.sweep.records.first_image()};
   }
-  input.far_record = state.records.far_record();
+  input.far_record = state.sweep.records.far_record();
   input.reach = reach;
   input.dimension = dimension;
   input.cluster_size = state.kernels.cluster_size;
-  if (state.walls.count() > 0) {
-    state.walls.choose_standing(state.scene, state.wall_stands, state.wall_offset);
-    const SlotRange dummies = state.walls.range();
-    state.wall_cells.build(state.threads, state.walls.points(), {&dummies, 1}, cell);
-    input.walls = {&state.wall_cells, state.walls.points(), state.records.first_wall()};
+  if (state.boundary.walls.count() > 0) {
+    state.boundary.walls.choose_standing(state.scene, state.boundary.stands, state.boundary.offset);
+    const SlotRange dummies = state.boundary.walls.range();
+    state.neighbours.wall_cells.build(state.threads, state.boundary.walls.points(), {&dummies, 1},
+                                      cell);
+    input.walls = {&state.neighbours.wall_cells, state.boundary.walls.points(),
+                   state.sweep.records.first_wall()};
     NeighbourLists::Input of_walls = input;
-    of_walls.points = state.walls.points();
+    of_walls.points = state.boundary.walls.points();
     of_walls.ranges = {&dummies, 1};
-    of_walls.slots = state.walls.slots();
+    of_walls.slots = state.boundary.walls.slots();
     of_walls.walls = {};
     of_walls.cluster_size = state.kernels.table->cluster_size;
-    state.wall_lists.build(state.threads, *state.kernels.table, of_walls);
+    state.neighbours.wall_lists.build(state.threads, *state.kernels.table, of_walls);
   }
-  state.lists.build(state.threads, *state.kernels.table, input);
+  state.neighbours.lists.build(state.threads, *state.kernels.table, input);
   for (int a = 0; a < dimension; ++a) {
     const double* from = state.particles.component(Field::position, a);
     std::copy(from, from + state.particles.slots(),
               state.particles.component(Field::build_position, a));
   }
-  state.walls.mark_built();
-  state.built_wall_offset = state.wall_offset;
-  state.walls_moved = 0.0;
-  state.lists_valid = true;
+  state.boundary.walls.mark_built();
+  state.boundary.built_offset = state.boundary.offset;
+  state.boundary.moved = 0.0;
+  state.neighbours.valid = true;
 }
 
 void pack_records(State& state) {
@@ -136,11 +140,11 @@ void pack_records(State& state) {
 }
 
 void refresh_neighbours(State& state) {
-  const double moved = state.lists_valid ? std::sqrt(pack_soil(state)) : 0.0;
-  const double walls_moved = state.walls_moved;
+  const double moved = state.neighbours.valid ? std::sqrt(pack_soil(state)) : 0.0;
+  const double walls_moved = state.boundary.moved;
   // Two particles, or a particle and a wall, may close the skin from both sides.
   const double skin = state.scene.numerics.skin * state.smoothing_length;
-  if (!state.lists_valid || moved + std::max(moved, walls_moved) > skin) {
+  if (!state.neighbours.valid || moved + std::max(moved, walls_moved) > skin) {
     rebuild(state);
     pack_soil(state);
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Runs the chosen pair sweep over all clusters, in chunks.
+#include "engine/sweep/pair_sweeps.hpp"
+
 #include <cmath>
 #include <cstdlib>
 
@@ -14,23 +16,22 @@ template <class Real>
 void run(const State& state, kernels::PairSweep<Real> sweep,
          const kernels::PairSweepView<Real>& view) {
   const std::int64_t chunk = particle_chunk / state.kernels.cluster_size;
-  parallel_chunks(state.threads, state.lists.clusters(), chunk,
+  parallel_chunks(state.threads, state.neighbours.lists.clusters(), chunk,
                   [&](std::int64_t begin, std::int64_t end) { sweep(view, begin, end); });
 }
 
 /// Soil that has flown further than positions of mixed precision reach; `record` may be an image or
 /// a wall's, whose own place is then named.
-Instability flown_out_of_reach(State& state, std::int64_t record) {
+Instability flown_out_of_reach(const State& state, const double* records, std::int64_t record) {
   const double h = state.smoothing_length;
   const bool soil = record < state.particles.slots();
   Instability found = at_particle(state, soil ? record : 0);
   if (!soil) found.particle = -1;
   double furthest = 0.0;
   for (int a = 0; a < 3; ++a) {
-    const double place = state.records.record(record)[kernels::record_x + a] * h;
+    const double place = records[record * kernels::record_size + kernels::record_x + a] * h;
     found.position[static_cast<std::size_t>(a)] = place;
-    furthest =
-        std::max(furthest, std::abs(place - state.records.record(0)[kernels::record_x + a] * h));
+    furthest = std::max(furthest, std::abs(place - records[kernels::record_x + a] * h));
   }
   found.field = "distance from other soil";
   found.unit = "m";
@@ -41,15 +42,16 @@ Instability flown_out_of_reach(State& state, std::int64_t record) {
   return found;
 }
 
-void run(State& state, const ChosenSweep& sweep, const kernels::PairSweepView<double>& view) {
+void run(const State& state, const ChosenSweep& sweep, const kernels::PairSweepView<double>& view,
+         NarrowRecords& narrow_records) {
   if (sweep.mixed == nullptr) {
     run(state, sweep.in_double, view);
     return;
   }
   const kernels::PairSweepView<float> narrow =
-      state.narrow_records.narrow(state.threads, view, state.records.far_record());
-  if (const auto record = state.narrow_records.out_of_reach())
-    throw SimulationInstability(flown_out_of_reach(state, *record));
+      narrow_records.narrow(state.threads, view, state.sweep.records.far_record());
+  if (const auto record = narrow_records.out_of_reach())
+    throw SimulationInstability(flown_out_of_reach(state, view.records, *record));
   run(state, sweep.mixed, narrow);
 }
 
@@ -59,22 +61,28 @@ void run_force_sweep(State& state, const ChosenSweep& sweep, const ChosenSweep& 
   kernels::PairSweepView<double> view = sweep_view(state);
   bool tension = false;
   if (state.kernels.artificial_stress) {
-    tension = state.records.pack_tension(state.threads, state.particles,
-                                         state.scene.numerics.artificial_stress);
-    if (state.records.has_tension_records()) state.images.pack_tension(state.records);
-    state.records.fill(view, tension);
+    tension = state.sweep.records.pack_tension(state.threads, state.particles,
+                                               state.scene.numerics.artificial_stress);
+    if (state.sweep.records.has_tension_records())
+      state.boundary.images.pack_tension(state.sweep.records);
+    state.sweep.records.fill(view, tension);
   }
-  run(state, tension ? sweep : in_compression, view);
+  run(state, tension ? sweep : in_compression, view, state.sweep.narrow_records);
 }
 
 }  // namespace
 
-kernels::PairSweepView<double> sweep_view(State& state) {
+kernels::PairSweepView<double> sweep_input_view(const State& state) {
   kernels::PairSweepView<double> view{};
-  state.records.fill(view, false);
-  view.neighbours = state.lists.view();
-  view.constants = state.pair_constants;
+  state.sweep.records.fill(view, false);
+  view.neighbours = state.neighbours.lists.view();
+  view.constants = state.sweep.constants;
   view.smoothing_length = state.smoothing_length;
+  return view;
+}
+
+kernels::PairSweepView<double> sweep_view(State& state) {
+  kernels::PairSweepView<double> view = sweep_input_view(state);
   ParticleBuffers& p = state.particles;
   view.density_rate = p.component(Field::density_rate);
   p.components(Field::velocity_gradient, view.velocity_gradient);
@@ -114,13 +122,16 @@ kernels::ParticleView particle_view(State& state) {
 void sweep_all(State& state) {
   run_force_sweep(state, state.kernels.fused, state.kernels.fused_in_compression);
 }
-void sweep_gradient(State& state) { run(state, state.kernels.gradient, sweep_view(state)); }
+void sweep_gradient(State& state) {
+  run(state, state.kernels.gradient, sweep_view(state), state.sweep.narrow_records);
+}
 void sweep_force(State& state) {
   run_force_sweep(state, state.kernels.force, state.kernels.force_in_compression);
 }
 
-void sweep_force_with(State& state, const kernels::PairSweepView<double>& view) {
-  run(state, state.kernels.force, view);
+void sweep_force_with(const State& state, const kernels::PairSweepView<double>& view,
+                      NarrowRecords& narrow) {
+  run(state, state.kernels.force, view, narrow);
 }
 
 }  // namespace scarp

@@ -14,6 +14,8 @@
 #include "engine/boundary/across.hpp"
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/parallel.hpp"
+#include "engine/state.hpp"
+#include "engine/watch/watch.hpp"
 
 namespace scarp {
 
@@ -88,8 +90,8 @@ class LostSearch {
   template <class Use>
   void for_each_facet(const Vec3& point, const Use& use) const {
     for (std::size_t w = 0; w < state_.scene.walls.size(); ++w) {
-      if (!state_.wall_stands[w]) continue;
-      const Vec3 from_wall = minus(point, state_.wall_offset[w]);
+      if (!state_.boundary.stands[w]) continue;
+      const Vec3 from_wall = minus(point, state_.boundary.offset[w]);
       for (const Facet& facet : state_.scene.walls[w].facets) use(facet, from_wall);
     }
   }

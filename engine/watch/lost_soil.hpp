@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Counts soil that has left everything that could hold it.
+/// Soil that nothing holds any more.
 #pragma once
 
-#include "engine/state.hpp"
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "engine/scene/scene.hpp"
 
 namespace scarp {
 
-/// Marks the particles that are lost now. With gravity: soil that falls, has fallen by more than
-/// the reach 2h since the last reset, meets no wall that stands on its free flight from here, and
-/// has no soil below it but such as falls likewise. Without: soil outside the box around all walls
-/// by more than that reach, behind the wall that is nearest, on a straight way that meets none.
-/// In a scene without walls nothing is lost. Once lost, a particle stays so: it goes on moving, but
-/// neither rest nor the height of the soil asks for it. THEORY.md section 10.
-void count_lost_soil(State& state);
+/// Soil that has left everything that could hold it (THEORY.md section 10).
+struct LostSoil {
+  std::uint64_t particles = 0;
+  double mass = 0.0;        ///< [kg, per metre in 2D]
+  std::int64_t first = -1;  ///< id of the first one; the rest is about it, when it was found
+  std::uint64_t step = 0;
+  double time = 0.0;  ///< [s]
+  std::string stage;
+  Vec3 position{};
+
+  /// "2 of 200 particles were lost ...", in one sentence.
+  std::string message(std::size_t all) const;
+};
 
 }  // namespace scarp

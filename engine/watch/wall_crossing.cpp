@@ -6,6 +6,7 @@
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/parallel.hpp"
+#include "engine/state.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace scarp {
@@ -43,13 +44,13 @@ Crossing first_crossing(const State& state) {
   const int dimension = state.scene.dimension;
   const auto look = [&](std::int64_t begin, std::int64_t end) {
     for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
-      if (!state.wall_stands[w]) continue;
+      if (!state.boundary.stands[w]) continue;
       for (const Facet& facet : state.scene.walls[w].facets) {
         for (std::int64_t k = begin; k < end; ++k) {
           const Vec3 now =
-              minus(point_of(state.particles, Field::position, k), state.wall_offset[w]);
+              minus(point_of(state.particles, Field::position, k), state.boundary.offset[w]);
           const Vec3 before = minus(point_of(state.particles, Field::build_position, k),
-                                    state.built_wall_offset[w]);
+                                    state.boundary.built_offset[w]);
           if (passes(facet, dimension, before, now, lost))
             return Crossing{k, w, coordinates(facet, dimension, now).depth};
         }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/parallel.hpp"
+#include "engine/state.hpp"
 
 namespace scarp {
 namespace {
@@ -143,7 +144,7 @@ std::optional<Instability> density_or_stress_not_finite(const State& state) {
 /// Kinetic, potential and elastic energy may only fall in a stage whose walls rest. What they may
 /// exceed their start by is what the stage has had to spend: its start and what has fallen.
 std::optional<Instability> energy_from_nothing(const State& state) {
-  for (const Vec3& v : state.wall_velocity) {
+  for (const Vec3& v : state.boundary.velocity) {
     if (v != Vec3{}) return {};
   }
   const EnergyBalance& start = state.ledger.start;

@@ -2,13 +2,15 @@
 /// Tells when a run does what no soil can, before it ends in numbers that mean nothing.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "engine/errors.hpp"
-#include "engine/state.hpp"
 
 namespace scarp {
+
+struct State;
 
 /// Steps between two looks at density, stress and energy of the whole soil. Speed and finite
 /// velocities, densities and accelerations are looked at in every step.
@@ -32,6 +34,14 @@ std::optional<Instability> inspect(const State& state);
 
 /// Phase: what `inspect` finds, in the steps when it is due. Errors: SimulationInstability.
 void watch(State& state);
+
+/// Marks the particles that are lost now. With gravity: soil that falls, has fallen by more than
+/// the reach 2h since the last reset, meets no wall that stands on its free flight from here, and
+/// has no soil below it but such as falls likewise. Without: soil outside the box around all walls
+/// by more than that reach, behind the wall that is nearest, on a straight way that meets none.
+/// In a scene without walls nothing is lost. Once lost, a particle stays so: it goes on moving, but
+/// neither rest nor the height of the soil asks for it. THEORY.md section 10.
+void count_lost_soil(State& state);
 
 /// Whether a particle has passed a face since the lists were built; called before they are built
 /// anew, so what moves by half their skin is looked at. Errors: SimulationInstability.

@@ -12,7 +12,7 @@
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/errors.hpp"
-#include "engine/state.hpp"
+#include "engine/setup.hpp"
 #include "engine/watch/stability_margin.hpp"
 #include "engine/watch/watch.hpp"
 #include "kernels/constitutive/drucker_prager.hpp"

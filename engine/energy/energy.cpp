@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Energy balance of a stage: stored energies from the state, dissipated ones from sampled powers.
+#include "engine/energy/energy.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -74,7 +76,6 @@ double power(const State& state, const Acceleration& acceleration) {
 
 }  // namespace
 
-/// Called after the sweep of a step, with velocity and records of the same instant.
 void sample_energy(State& state) {
   EnergyLedger& ledger = state.ledger;
   if (!state.scene.output.energy || state.report.step < ledger.last_step + steps_per_sample) return;
@@ -83,22 +84,21 @@ void sample_energy(State& state) {
   ledger.last_step = state.report.step;
 
   Acceleration acceleration;
-  kernels::PairSweepView<double> view = sweep_view(state);
-  view.approach_rate = nullptr;
+  kernels::PairSweepView<double> view = sweep_input_view(state);
   for (std::size_t a = 0; a < 3; ++a) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
     view.acceleration[a] = acceleration[a].data();
   }
   const auto power_of = [&](bool viscosity, bool tension) {
     if (!viscosity) view.constants.viscosity_alpha = view.constants.viscosity_beta = 0.0;
-    state.records.fill(view, tension && state.records.has_tension_records());
-    sweep_force_with(state, view);
+    state.sweep.records.fill(view, tension && state.sweep.records.has_tension_records());
+    sweep_force_with(state, view, state.sweep.narrow_records);
     return power(state, acceleration);
   };
   const double total = power_of(true, true);
   const double without_viscosity = state.kernels.viscosity ? power_of(false, true) : total;
   const double stress_only =
-      state.records.has_tension_records() ? power_of(false, false) : without_viscosity;
+      state.sweep.records.has_tension_records() ? power_of(false, false) : without_viscosity;
   ForcePowers now;
   now.viscous = without_viscosity - total;
   now.artificial_stress = stress_only - without_viscosity;
@@ -110,14 +110,14 @@ void sample_energy(State& state) {
       for (std::int64_t k = group.first; k < group.end(); ++k) now.damping += drag * v[k] * v[k];
     }
   }
-  if (std::any_of(state.wall_velocity.begin(), state.wall_velocity.end(),
+  if (std::any_of(state.boundary.velocity.begin(), state.boundary.velocity.end(),
                   [](const Vec3& v) { return v != Vec3{}; })) {
     const std::vector<WallReaction> reactions = wall_reactions(state);
     for (std::size_t w = 0; w < reactions.size(); ++w) {
       for (std::size_t a = 0; a < 3; ++a) {
-        const double held = state.hold_force[w][a];
-        now.wall += (reactions[w].force[a] - held) * state.wall_velocity[w][a];
-        now.hold += held * state.wall_velocity[w][a];
+        const double held = state.boundary.hold_force[w][a];
+        now.wall += (reactions[w].force[a] - held) * state.boundary.velocity[w][a];
+        now.hold += held * state.boundary.velocity[w][a];
       }
     }
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Stages of a run: settle, reduce the strength, remove walls, end.
+/// Stages of a run.
+#include "engine/stages/stages.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,8 +9,8 @@
 #include <vector>
 
 #include "engine/parallel.hpp"
+#include "engine/setup.hpp"
 #include "engine/state.hpp"
-#include "engine/watch/lost_soil.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace scarp {
@@ -82,7 +84,8 @@ void reset(State& state) {
 /// Of particles and walls [m/s].
 double fastest(const State& state) {
   double speed = fastest_soil(state);
-  for (const Vec3& v : state.wall_velocity) speed = std::max(speed, std::hypot(v[0], v[1], v[2]));
+  for (const Vec3& v : state.boundary.velocity)
+    speed = std::max(speed, std::hypot(v[0], v[1], v[2]));
   return speed;
 }
 
@@ -90,8 +93,8 @@ void update_walls(State& state, const std::string& stage) {
   bool removed = false;
   for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
     const Wall& wall = state.scene.walls[w];
-    if (wall.removed_at == stage && state.wall_stands[w]) {
-      state.wall_stands[w] = false;
+    if (wall.removed_at == stage && state.boundary.stands[w]) {
+      state.boundary.stands[w] = false;
       removed = true;
     }
   }
@@ -102,7 +105,7 @@ void update_walls(State& state, const std::string& stage) {
     bool moves = wall.moves_from.empty();
     for (std::size_t s = 0; s <= state.stage.index; ++s)
       moves |= state.scene.stages[s].name == wall.moves_from;
-    state.wall_velocity[w] = moves ? wall.velocity : Vec3{};
+    state.boundary.velocity[w] = moves ? wall.velocity : Vec3{};
   }
 }
 
@@ -174,15 +177,15 @@ void enter_stage(State& state, std::size_t index) {
 void end_step(State& state) {
   const double dt = state.clock.time_step;
   for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
-    const Vec3& v = state.wall_velocity[w];
+    const Vec3& v = state.boundary.velocity[w];
     if (v == Vec3{}) continue;
     const Vec3 step{v[0] * dt, v[1] * dt, v[2] * dt};
-    for (std::size_t a = 0; a < 3; ++a) state.wall_offset[w][a] += step[a];
-    state.walls.move(w, step);
-    state.walls_moved += std::hypot(step[0], step[1], step[2]);
+    for (std::size_t a = 0; a < 3; ++a) state.boundary.offset[w][a] += step[a];
+    state.boundary.walls.move(w, step);
+    state.boundary.moved += std::hypot(step[0], step[1], step[2]);
   }
   ++state.report.step;
-  ++state.limit_counts[static_cast<std::size_t>(state.report.limit)];
+  ++state.limits.counts[static_cast<std::size_t>(state.report.limit)];
   state.report.time += dt;
   state.stage.time += dt;
   state.report.stage_time = state.stage.time;

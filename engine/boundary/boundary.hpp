@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Walls of a run, and the phases that act on them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/boundary/dummies.hpp"
+#include "engine/boundary/mirror_images.hpp"
+#include "engine/boundary/wall_reaction.hpp"
+#include "engine/boundary/walls.hpp"
+
+namespace scarp {
+
+struct State;
+
+/// One entry for each wall of the scene where nothing else is said.
+struct Boundary {
+  WallDummies dummies;              ///< of every wall, as generated
+  std::vector<Vec3> offset;         ///< how far each wall has moved [m]
+  std::vector<Vec3> placed_offset;  ///< when `walls` was made [m]
+  std::vector<Vec3> built_offset;   ///< when the lists were built [m]
+  std::vector<bool> stands;
+  std::vector<Vec3> velocity;    ///< now [m/s]
+  std::vector<Vec3> hold_force;  ///< of the soil that faces held off in the last step (B4) [N]
+  double moved = 0.0;            ///< farthest since the lists were built [m]
+  Walls walls;                   ///< dummies of those that stand
+  MirrorImages images;
+  std::uint64_t holds = 0;  ///< times a grain was held off a face
+};
+
+/// Makes the dummies of the walls that stand; the lists are no longer valid.
+void place_walls(State& state);
+/// Phase: records of the dummies, velocity and stress from the soil near them. Equation: B1, B2.
+void extrapolate_walls(State& state);
+/// Phase: takes from the velocities what would carry grains through a face. Equation: B4.
+void hold_off_faces(State& state);
+/// How near to a face that rule acts [m].
+double hold_off_distance(double spacing);
+/// Forces on the walls where everything stands now; sums one force sweep, and one for each wall.
+std::vector<WallReaction> wall_reactions(const State& state);
+
+}  // namespace scarp

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The ledger of the energies of a stage, and the phase that keeps it.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/energy/energy_balance.hpp"
+
+namespace scarp {
+
+struct State;
+
+/// Powers of the forces on the soil [W], or their time integrals [J]; see EnergyBalance.
+struct ForcePowers {
+  double stress = 0.0, viscous = 0.0, artificial_stress = 0.0, damping = 0.0;
+  double wall = 0.0, hold = 0.0;  ///< on moving walls: by pairs, and by the faces (B4)
+};
+
+/// Energies of the present stage: integrals of powers that are sampled every few steps.
+struct EnergyLedger {
+  ForcePowers work;
+  ForcePowers last_powers;  ///< zero when a stage begins: it mostly begins at rest
+  double last_time = 0.0;
+  std::uint64_t last_step = 0;
+  EnergyBalance start;  ///< stored energies when the stage began
+  double stress_work_start = 0.0;
+};
+/// Phase: powers of the forces, every few steps, where the output asks for energies. Called after
+/// the force sweep of a step, with velocity and records of the same instant.
+void sample_energy(State& state);
+void start_ledger(State& state);  ///< at the start of a stage
+EnergyBalance energy_balance(const State& state);
+
+}  // namespace scarp

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Set-up of a run: a scene becomes a state.
+#pragma once
+
+#include "engine/run_options.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/state.hpp"
+#include "kernels/isa/kernel_table.hpp"
+
+namespace scarp {
+
+State make_state(Scene scene, const RunOptions& options);
+void set_material_constants(State& state);  ///< for the strength reduction of the current stage
+/// Of one material; the step's own, `leap` and `plastic_share`, stay 0.
+kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Material& material,
+                                                   double strength_reduction);
+/// The instruction set asked for, else the best. Errors: SceneError.
+const kernels::KernelTable& choose_table(const RunOptions& options);
+
+}  // namespace scarp

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Pair sweeps of a run: which were chosen, what they read, the phases that run them.
+#pragma once
+
+#include "engine/sweep/narrow_records.hpp"
+#include "engine/sweep/records.hpp"
+#include "kernels/isa/kernel_table.hpp"
+
+namespace scarp {
+
+struct State;
+
+/// A pair sweep in the precision of the run; the other one is null.
+struct ChosenSweep {
+  kernels::PairSweep<double> in_double = nullptr;
+  kernels::PairSweep<float> mixed = nullptr;
+};
+
+/// Sweeps and passes chosen once per run.
+struct ChosenKernels {
+  const kernels::KernelTable* table = nullptr;
+  ChosenSweep fused;     ///< Verlet
+  ChosenSweep gradient;  ///< kick-drift-kick
+  ChosenSweep force;     ///< kick-drift-kick, wall reactions, energies
+  ChosenSweep fused_in_compression, force_in_compression;  ///< without artificial stress
+  int cluster_size = 0;                                    ///< of the pair sweeps
+  bool artificial_stress = false;
+  bool correction = false;
+  bool viscosity = false;
+  bool diffusion = false;
+};
+/// What the sweeps read besides the lists.
+struct SweepInput {
+  Records records;
+  NarrowRecords narrow_records;  ///< of a run in mixed precision
+  kernels::PairConstants<double> constants{};
+};
+
+void sweep_all(State& state);       ///< Phase (Verlet): every rate at once.
+void sweep_gradient(State& state);  ///< Phase (kick-drift-kick): velocity gradient and its like.
+void sweep_force(State& state);     ///< Phase (kick-drift-kick): acceleration.
+
+/// Records, lists and constants of the step, no output.
+kernels::PairSweepView<double> sweep_input_view(const State& state);
+/// ... with the outputs of the step.
+kernels::PairSweepView<double> sweep_view(State& state);
+kernels::ParticleView particle_view(State& state);
+/// Force sweep with other records, constants or outputs than the step's own (reactions, energies).
+/// `narrow` is where mixed precision puts its records.
+void sweep_force_with(const State& state, const kernels::PairSweepView<double>& view,
+                      NarrowRecords& narrow);
+
+}  // namespace scarp

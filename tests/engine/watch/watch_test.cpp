@@ -9,6 +9,7 @@
 #include <random>
 
 #include "engine/scene/warnings.hpp"
+#include "engine/setup.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/support/small_scenes.hpp"
 

@@ -60,7 +60,7 @@ inline Scene block_scene(const BlockOptions& options) {
   if (options.elastic) scene.materials = {{"rock", "linear_elastic", 2000.0, {100e6, 0.3}}};
   const double side =
       std::round(std::pow(static_cast<double>(options.particles), 1.0 / options.dimension));
-  scene.bodies = {{0, Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};
   const double pressure = options.tension ? -1e3 : 100e3;
   scene.initial_stress = InitialStress::uniform;
   scene.uniform_stress = {-pressure, -pressure, -pressure, 0.0, 0.0, 0.0};

@@ -46,9 +46,7 @@ std::vector<std::string> uniform_warnings(const Scene& scene) {
   std::vector<std::string> found;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
-    const bool used = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                  [m](const Body& body) { return body.material == m; });
-    if (!used || material.model != kernels::DruckerPrager::name) continue;
+    if (!is_used(scene, m) || material.model != kernels::DruckerPrager::name) continue;
     const double share =
         utilisation(scene.uniform_stress, material, reduction_of(scene.stages.front(), material));
     if (share <= 1.0 + 1e-9) continue;
@@ -108,8 +106,7 @@ std::vector<std::string> initial_stress_warnings(const Simulation& simulation) {
         "deepest, under {:.3g} kPa, the cone bears {:.3g} to {:.3g}, so K0 becomes {:.3g} there as "
         "it settles. Try k0 = {:.3g}, or a stronger soil (strength_reduction below 1) in stage "
         "'{}'.",
-        material.name, k0,
-        material.k0 < 0.0 && scene.initial_k0 < 0.0 ? ", which is nu/(1 - nu)," : "",
+        material.name, k0, !material.k0 && !scene.initial_k0 ? ", which is nu/(1 - nu)," : "",
         100.0 * static_cast<double>(outside) / static_cast<double>(count), 1e-3 * most,
         range.active, range.passive, becomes, becomes, scene.stages.front().name));
   }

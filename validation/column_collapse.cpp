@@ -88,7 +88,7 @@ ColumnDeposit collapse_column(CaseRun& run, const std::string& name, Simulation&
                               const Column& column, RunWriter* writer, Profile* surface) {
   const Scene& scene = simulation.scene();
   const double width = initial_width(scene), height = column.aspect_ratio * width;
-  const double late = scene.stages.back().duration - std::sqrt(height / gravity_of(scene));
+  const double late = scene.stages.back().duration.value() - std::sqrt(height / gravity_of(scene));
   std::optional<double> before;
   for (std::size_t stage = 0; stage < scene.stages.size(); ++stage) {
     const bool last = stage + 1 == scene.stages.size();

@@ -55,7 +55,7 @@ bool may_come_near(const Scene& scene, const CornerReach& reach, const Vec3& poi
                    const Wall& other, const Facet& facet) {
   // Either may move while the other waits: the way is anywhere between these two.
   double longest = 0.0;
-  for (const Stage& stage : scene.stages) longest += stage.duration > 0.0 ? stage.duration : 1e30;
+  for (const Stage& stage : scene.stages) longest += stage.duration.value_or(1e30);
   const double margin = std::sqrt(static_cast<double>(scene.dimension)) * reach.thickness;
   Vec3 low{}, high{};
   for (std::size_t a = 0; a < 3; ++a) {

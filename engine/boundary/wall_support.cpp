@@ -68,7 +68,7 @@ std::vector<Moment> moments(const Scene& scene) {
     for (std::size_t w = 0; w < walls; ++w) {
       const Wall& wall = scene.walls[w];
       if (!now.stands[w] || !moves_in(scene, wall, s)) continue;
-      now.offset[w] = plus(now.offset[w], stage.duration, wall.velocity);
+      now.offset[w] = plus(now.offset[w], stage.duration.value_or(0.0), wall.velocity);
       moved += fmt::format("{}'{}'", moved.empty() ? "" : ", ", wall.name);
     }
     if (moved.empty()) continue;

@@ -13,6 +13,10 @@
 namespace scarp {
 namespace {
 
+/// Stands for a value that is chosen from the others, as it does in files of older versions; 0
+/// where 0 is no value.
+constexpr double chosen = -1.0;
+
 class Lines {
  public:
   template <class T>
@@ -40,7 +44,7 @@ void add_numerics(Lines& lines, const Numerics& n) {
   lines.add("viscosity_alpha", n.viscosity_alpha);
   lines.add("viscosity_beta", n.viscosity_beta);
   lines.add("artificial_stress", n.artificial_stress);
-  lines.add("artificial_stress_exponent", n.artificial_stress_exponent);
+  lines.add("artificial_stress_exponent", n.artificial_stress_exponent.value_or(0.0));
   lines.add("stress_diffusion", n.stress_diffusion);
   lines.add("diffusion_shear_gate", n.diffusion_shear_gate);
   lines.add("integrator", n.integrator);
@@ -104,11 +108,11 @@ void add_stages(Lines& lines, const std::vector<Stage>& stages) {
     lines.section(fmt::format("stage[{}].", s));
     lines.add("name", stage.name);
     lines.add("until", stage.until);
-    lines.add("duration", stage.duration);
+    lines.add("duration", stage.duration.value_or(0.0));
     lines.add("rest_velocity", stage.rest_velocity);
     lines.add("strength_reduction", stage.strength_reduction);
     lines.add("material_strength_reduction", stage.material_strength_reduction);
-    lines.add("damping", stage.damping);
+    lines.add("damping", stage.damping.value_or(chosen));
     lines.add("reset_after", stage.reset_after);
   }
 }
@@ -129,12 +133,12 @@ std::string scene_text(const Scene& scene) {
     lines.add("model", material.model);
     lines.add("density", material.density);
     lines.add("parameters", material.parameters);
-    lines.add("k0", material.k0);
+    lines.add("k0", material.k0.value_or(chosen));
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     lines.section(fmt::format("body[{}].", b));
-    lines.add("material", body.material);
+    lines.add("material", material_of(scene, body));
     lines.add("velocity", body.velocity);
     lines.add("velocity_field", body.velocity_field);
     std::visit(ShapeLines{lines}, body.shape);
@@ -142,7 +146,7 @@ std::string scene_text(const Scene& scene) {
   add_walls(lines, scene.walls);
   lines.section("initial.");
   lines.add("stress", scene.initial_stress);
-  lines.add("k0", scene.initial_k0);
+  lines.add("k0", scene.initial_k0.value_or(chosen));
   lines.add("uniform", scene.uniform_stress);
   add_stages(lines, scene.stages);
   return lines.take();
@@ -152,8 +156,8 @@ std::string output_text(const Scene& scene) {
   Lines lines;
   lines.section("output.");
   lines.add("frames", scene.output.frames);
-  lines.add("every", scene.output.frame_interval);
-  lines.add("probe_every", scene.output.probe_interval);
+  lines.add("every", scene.output.frame_interval.value_or(0.0));
+  lines.add("probe_every", scene.output.probe_interval.value_or(0.0));
   for (std::size_t w = 0; w < scene.walls.size(); ++w) {
     lines.section(fmt::format("wall[{}].", w));
     lines.add("name", scene.walls[w].name);

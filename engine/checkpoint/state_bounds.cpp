@@ -51,9 +51,9 @@ void require_near(const Snapshot& from, const std::string& item, const State& st
 }
 
 void require_sound(const State& state) {
-  const double duration = state.scene.stages[state.stage.index].duration;
+  const std::optional<double> duration = state.scene.stages[state.stage.index].duration;
   if (state.stage.time > state.report.time * (1.0 + 1e-9) ||
-      (duration > 0.0 && state.stage.time > duration * (1.0 + 1e-9)))
+      (duration && state.stage.time > *duration * (1.0 + 1e-9)))
     throw CheckpointError("'clock/stage_time' is beyond the end of its stage.");
   if (const std::optional<Instability> found = inspect(state)) {
     throw CheckpointError(fmt::format("its state is none that a run leaves: {}", found->message()));

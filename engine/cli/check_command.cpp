@@ -85,7 +85,7 @@ Json summary(const Scene& scene, const Subject& subject) {
   for (const Stage& stage : scene.stages) {
     json["stages"].push_back({{"name", stage.name},
                               {"until", stage.until == StageEnd::rest ? "rest" : "duration"},
-                              {"duration", stage.duration},
+                              {"duration", stage.duration.value_or(0.0)},
                               {"strength_reduction", stage.strength_reduction}});
   }
   for (const ProbeParticle& probe : simulation.probe_particles()) {
@@ -200,10 +200,10 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
   fmt::print("\nstages\n");
   for (const Stage& stage : scene.stages) {
     const std::string limit =
-        stage.duration > 0.0 ? fmt::format(" {:g} s", stage.duration) : ", without limit";
+        stage.duration ? fmt::format(" {:g} s", *stage.duration) : ", without limit";
     fmt::print("  {:<20} {}{}{}\n", stage.name,
                stage.until != StageEnd::rest ? "for"
-               : stage.duration > 0.0        ? "until rest, at most"
+               : stage.duration              ? "until rest, at most"
                                              : "until rest",
                limit,
                stage.strength_reduction != 1.0

@@ -59,7 +59,7 @@ Scene coarser(Scene scene, double wall_s, double particles, double wanted) {
 
 double longest_duration(const Scene& scene) {
   const bool limited = std::all_of(scene.stages.begin(), scene.stages.end(),
-                                   [](const Stage& stage) { return stage.duration > 0.0; });
+                                   [](const Stage& stage) { return stage.duration.has_value(); });
   return limited ? total_duration(scene) : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -15,7 +15,8 @@ std::string search_forecast(const Simulation& start, const Criterion& criterion,
   const Trial steps = try_steps(copy, 0.5);
   const Scene& scene = start.scene();
   double settling = 0.0;
-  for (std::size_t s = 0; s + 1 < scene.stages.size(); ++s) settling += scene.stages[s].duration;
+  for (std::size_t s = 0; s + 1 < scene.stages.size(); ++s)
+    settling += scene.stages[s].duration.value_or(0.0);
   const double seconds = steps.seconds_per_step / steps.time_step;  // a simulated second
   const double one = (criterion.ramp + criterion.window) * seconds;
   const int trials = 1 + trials_left(search, {});  // the elastic response first

@@ -39,19 +39,18 @@ OutputTrial scaled(OutputTrial trial, double share) {
 double expected_frames(const Scene& scene, const Forecast& forecast) {
   if (!scene.output.frames) return 0.0;
   const double of_stages = 1.0 + static_cast<double>(scene.stages.size());
-  const double interval = scene.output.frame_interval;
-  if (!(interval > 0.0)) return of_stages;
-  return of_stages + std::min(forecast.simulated / interval, forecast.steps);
+  if (!scene.output.frame_interval) return of_stages;
+  return of_stages + std::min(forecast.simulated / *scene.output.frame_interval, forecast.steps);
 }
 
 std::string frames_warning(const Scene& scene, const Forecast& forecast, const OutputTrial& trial) {
   const double frames = expected_frames(scene, forecast);
   constexpr double often = 0.5;  // of the steps
-  if (!(scene.output.frame_interval > 0.0) || !(frames > often * forecast.steps)) return {};
+  if (!scene.output.frame_interval || !(frames > often * forecast.steps)) return {};
   return fmt::format(
       "output.every = {:g} s: a frame follows almost every step, about {:.0f} in all, {} and {} of "
       "the run. Try a longer interval.",
-      scene.output.frame_interval, frames, readable_bytes(frames * trial.frame_bytes),
+      *scene.output.frame_interval, frames, readable_bytes(frames * trial.frame_bytes),
       readable_duration(frames * trial.frame_seconds));
 }
 

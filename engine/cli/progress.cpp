@@ -19,7 +19,7 @@ double stages_before(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
   double time = 0.0;
   for (std::size_t s = 0; s < std::min(simulation.stage_index(), scene.stages.size()); ++s) {
-    time += scene.stages[s].duration;
+    time += scene.stages[s].duration.value_or(0.0);
   }
   return time;
 }
@@ -43,7 +43,7 @@ std::string readable_bytes(double bytes) {
 
 double total_duration(const Scene& scene) {
   double total = 0.0;
-  for (const Stage& stage : scene.stages) total += stage.duration;
+  for (const Stage& stage : scene.stages) total += stage.duration.value_or(0.0);
   return total;
 }
 

@@ -43,7 +43,7 @@ double positive_option(const std::string& option, const std::string& text, const
 namespace {
 
 SceneOverrides overrides_of(const SceneArguments& arguments) {
-  SceneOverrides overrides{arguments.preset, 0.0};
+  SceneOverrides overrides{arguments.preset, {}};
   if (!arguments.spacing.empty()) {
     overrides.spacing = positive_option("--spacing", arguments.spacing, "m", kernels::Unit::length);
   }

@@ -40,7 +40,7 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record) 
                                 {"program", record.program},
                                 {"scene", record.scene_name},
                                 {"preset", record.overrides.preset},
-                                {"spacing", record.overrides.spacing},
+                                {"spacing", record.overrides.spacing.value_or(0.0)},
                                 {"isa", record.isa},
                                 {"threads", record.threads},
                                 {"text", record.scene_text}}
@@ -56,9 +56,10 @@ RunRecord read_record(const std::filesystem::path& folder) {
     if (json.at("format") != "scarp run" || json.at("version") != format_version)
       throw FileError(fmt::format("'{}': is of another version. Try the program that wrote it.",
                                   path.string()));
-    return {json.at("program"), json.at("scene"),
-            json.at("text"),    {json.at("preset"), json.at("spacing")},
-            json.at("isa"),     json.at("threads")};
+    SceneOverrides overrides{json.at("preset"), {}};
+    if (const double spacing = json.at("spacing"); spacing != 0.0) overrides.spacing = spacing;
+    return {json.at("program"), json.at("scene"), json.at("text"),
+            overrides,          json.at("isa"),   json.at("threads")};
   } catch (const nlohmann::json::exception&) {
     throw FileError(fmt::format(
         "'{}': there is no run to go on with: run.json {}. Try the output folder of 'scarp run'.",

@@ -34,9 +34,7 @@ std::optional<std::string> dilation_note(const Scene& scene, std::optional<doubl
   bool all_in_plane_strain = scene.dimension == 2;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
-    const bool used = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                  [m](const Body& body) { return body.material == m; });
-    if (!used || material.model != DruckerPrager::name) continue;
+    if (!is_used(scene, m) || material.model != DruckerPrager::name) continue;
     const auto& p = material.parameters;
     all_in_plane_strain &=
         p[DruckerPrager::cone] == static_cast<double>(kernels::Cone::plane_strain);

@@ -28,9 +28,9 @@ void choose_time_step(State& state) {
     limit = StepLimit::growth;
   }
   clock.growth_base = dt;
-  const double duration = state.scene.stages[state.stage.index].duration;
-  const double left = duration - state.stage.time;
-  if (duration > 0.0 && dt >= left) {
+  const std::optional<double> duration = state.scene.stages[state.stage.index].duration;
+  const double left = duration.value_or(0.0) - state.stage.time;
+  if (duration && dt >= left) {
     dt = left;
     limit = StepLimit::stage_end;
   }

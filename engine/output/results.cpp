@@ -41,7 +41,7 @@ Json json_of(const Numerics& n) {
           {"viscosity_alpha", n.viscosity_alpha},
           {"viscosity_beta", n.viscosity_beta},
           {"artificial_stress", n.artificial_stress},
-          {"artificial_stress_exponent", n.artificial_stress_exponent},
+          {"artificial_stress_exponent", n.artificial_stress_exponent.value_or(0.0)},
           {"stress_diffusion", n.stress_diffusion},
           {"diffusion_shear_gate", n.diffusion_shear_gate},
           {"integrator", word(n.integrator)},

@@ -182,13 +182,13 @@ void RunWriter::add_progress(Snapshot& snapshot) {
 void RunWriter::enter_stage(const Simulation& simulation) {
   const Scene& scene = simulation.scene();
   stage_ = simulation.stage_index();
-  frame_interval_ = scene.output.frame_interval > 0.0 ? scene.output.frame_interval : never;
-  row_interval_ = scene.output.probe_interval;
+  frame_interval_ = scene.output.frame_interval.value_or(never);
+  row_interval_ = scene.output.probe_interval.value_or(never);
   steps_between_rows_ = 1;
-  if (!(row_interval_ > 0.0)) {
+  if (!scene.output.probe_interval) {
     steps_between_rows_ = steps_worth_ten_rows(scene);
-    const double duration = stage_ < scene.stages.size() ? scene.stages[stage_].duration : 0.0;
-    row_interval_ = duration > 0.0 && std::isfinite(duration) ? duration / 100.0 : never;
+    if (stage_ < scene.stages.size())
+      row_interval_ = scene.stages[stage_].duration.value_or(never) / 100.0;
   }
   const double time = simulation.last_step().stage_time;
   next_frame_ = next_multiple(time, frame_interval_);

@@ -55,7 +55,7 @@ class LatticeFill {
   std::vector<double> estimate() {
     std::vector<double> particles(scene_.materials.size(), 0.0);
     for (std::size_t b = 0; b < shapes_.size(); ++b)
-      particles.at(scene_.bodies[b].material) += estimate(b);
+      particles.at(material_of(scene_, scene_.bodies[b])) += estimate(b);
     return particles;
   }
 
@@ -173,6 +173,7 @@ class LatticeFill {
     const ColumnShape& shape = shapes_[body];
     const std::size_t before = soil.position.size();
     const Body& made_of = scene_.bodies[body];
+    const std::size_t material = material_of(scene_, made_of);
     std::vector<Expression> velocity;
     for (const std::string& text : made_of.velocity_field) velocity.emplace_back(text, "xyz");
     for_each_column(shape, [&](double x, double y) {
@@ -182,7 +183,7 @@ class LatticeFill {
           Vec3 position{x, y, 0.0};
           position[up_] = lattice_.at(up_, k);
           soil.position.push_back(position);
-          soil.material.push_back(made_of.material);
+          soil.material.push_back(material);
           soil.velocity.push_back(made_of.velocity);
           for (std::size_t a = 0; a < velocity.size(); ++a) {
             soil.velocity.back()[a] = finite_velocity(velocity[a], position, shape.label);

@@ -103,6 +103,7 @@ struct Corners {
 LineCuts::LineCuts(const Scene& scene) : scene_(scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     shapes_.push_back(column_shape(scene, b));
+    materials_.push_back(static_cast<int>(material_of(scene, scene.bodies[b])));
     turned_.emplace_back();
     if (const auto* polygon = std::get_if<Polygon>(&scene.bodies[b].shape)) {
       for (const auto& [x, y] : polygon->points) turned_.back().push_back({y, x});
@@ -170,8 +171,7 @@ std::vector<LinePiece> LineCuts::cut(std::size_t axis, const Vec3& at) const {
     LinePiece piece{ends[k - 1].place, ends[k].place};
     if (!inside.empty()) {
       piece.body = inside.begin()->first;  // the first body owns the point
-      piece.material =
-          static_cast<int>(scene_.bodies[static_cast<std::size_t>(piece.body)].material);
+      piece.material = materials_[static_cast<std::size_t>(piece.body)];
     }
     if (!pieces.empty() && pieces.back().material == piece.material) {
       pieces.back().high = piece.high;

@@ -44,6 +44,7 @@ class LineCuts {
 
   const Scene& scene_;
   std::vector<ColumnShape> shapes_;
+  std::vector<int> materials_;                              ///< of the bodies
   std::vector<std::vector<std::array<double, 2>>> turned_;  ///< outlines with axes exchanged
   Vec3 minimum_{}, maximum_{};
 };

@@ -93,7 +93,10 @@ class Columns {
 class Rays {
  public:
   Rays(const Scene& scene, const Vec3& direction) : scene_(scene), direction_(direction) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) shapes_.push_back(column_shape(scene, b));
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+      shapes_.push_back(column_shape(scene, b));
+      materials_.push_back(material_of(scene, scene.bodies[b]));
+    }
   }
 
   SoilAbove from(const Vec3& start, std::size_t material) {
@@ -148,7 +151,7 @@ class Rays {
       shape.column(point[0], up == 1 ? 0.0 : point[1], ranges_);
       for (const Range& range : ranges_) {
         if (point[up] >= range.low - shape.tolerance && point[up] <= range.high + shape.tolerance)
-          return scene_.bodies[b].material;
+          return materials_[b];
       }
     }
     return {};
@@ -157,6 +160,7 @@ class Rays {
   const Scene& scene_;
   Vec3 direction_;
   std::vector<ColumnShape> shapes_;
+  std::vector<std::size_t> materials_;  ///< of the bodies
   std::vector<Range> ranges_;
 };
 

@@ -81,7 +81,7 @@ class Heights {
   template <class Visit>
   void for_each_body(std::size_t material, const Visit& visit) const {
     for (const Body& body : scene_.bodies) {
-      if (body.material == material) visit(std::visit(extent_, body.shape));
+      if (material_of(scene_, body) == material) visit(std::visit(extent_, body.shape));
     }
   }
 

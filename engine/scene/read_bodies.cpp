@@ -3,6 +3,8 @@
 /// share.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/scene/read_parts.hpp"
 
 namespace scarp::input {
@@ -104,10 +106,10 @@ Body read_body(const Value& item, int dimension, const std::vector<std::string>&
   Body body;
   body.line = item.line();
   const Value material = table.require("material", "\"clay\"");
-  const std::string name = material.text();
-  while (body.material < materials.size() && materials[body.material] != name) ++body.material;
-  if (body.material == materials.size()) {
-    material.fail(fmt::format("no [[material]] has this name. {}", did_you_mean(name, materials)));
+  body.material = material.text();
+  if (std::find(materials.begin(), materials.end(), body.material) == materials.end()) {
+    material.fail(
+        fmt::format("no [[material]] has this name. {}", did_you_mean(body.material, materials)));
   }
   const std::string_view shape = table.require_one_of(shapes);
   const auto extrude = table.find("extrude");

@@ -74,7 +74,7 @@ Material read_material(const Value& item, const Scene& scene) {
   material.density = read_density(table, scene.gravity);
   if (const auto k0 = table.find("k0")) {
     material.k0 = k0->number(kernels::Unit::none);
-    if (!(material.k0 >= 0.0)) k0->fail("it is negative. Try 0.5, or without it.");
+    if (!(*material.k0 >= 0.0)) k0->fail("it is negative. Try 0.5, or without it.");
   }
   for (const auto& spec : model.parameters) {
     const double fallback = scene.dimension == 3 ? spec.default_value_3d : spec.default_value;

@@ -39,7 +39,8 @@ constexpr Row rows[] = {
     {"artificial_stress_exponent",
      [](const Value& v, Numerics& n) {
        if (v.is_text()) v.choice("auto");
-       n.artificial_stress_exponent = v.is_text() ? 0.0 : v.number(kernels::Unit::none);
+       n.artificial_stress_exponent =
+           v.is_text() ? std::nullopt : unless_zero(v.number(kernels::Unit::none));
      }},
     {"stress_diffusion", real<&Numerics::stress_diffusion>},
     {"diffusion_shear_gate", real<&Numerics::diffusion_shear_gate>},

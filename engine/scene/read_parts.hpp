@@ -7,6 +7,11 @@
 
 namespace scarp::input {
 
+/// Where a scene may write 0 for what is chosen by itself.
+inline std::optional<double> unless_zero(double value) {
+  return value != 0.0 ? std::optional(value) : std::nullopt;
+}
+
 /// Rows of [numerics] on top of the preset.
 void read_numerics(const Value& section, Numerics& numerics);
 /// `scene` has its dimension and gravity.

@@ -33,16 +33,18 @@ Stage read_stage(const Value& item, bool last) {
     table.require("duration", "\"10 s\" (or until = \"rest\")");
   }
   if (duration) stage.duration = duration->number(Unit::time);
+  if (stage.until == StageEnd::rest && stage.duration == 0.0) stage.duration.reset();
   if (const auto speed = table.find("rest_velocity")) {
     stage.rest_velocity = speed->number(Unit::velocity);
     if (stage.until != StageEnd::rest) speed->fail("it needs until = \"rest\". Try without it.");
   }
   if (const auto strength = table.find("strength_reduction")) read_strength(*strength, stage);
   if (const auto damping = table.find("damping")) {
-    if (damping->is_text()) damping->choice("auto");
-    stage.damping = damping->is_text() ? -1.0 : damping->number(Unit::none);
-    if (!damping->is_text() && stage.damping < 0.0) {
-      damping->fail("it is negative. Try 0 or more [1/s], or \"auto\".");
+    if (damping->is_text()) {
+      damping->choice("auto");
+    } else {
+      stage.damping = damping->number(Unit::none);
+      if (*stage.damping < 0.0) damping->fail("it is negative. Try 0 or more [1/s], or \"auto\".");
     }
   }
   const auto reset = table.find("reset");
@@ -72,7 +74,7 @@ void read_initial(const Value& section, Scene& scene) {
       k0->fail("it needs stress = \"geostatic\". Try without it.");
     }
     scene.initial_k0 = k0->number(Unit::none);
-    if (!(scene.initial_k0 >= 0.0)) k0->fail("it is negative. Try 0.5, or without it.");
+    if (!(*scene.initial_k0 >= 0.0)) k0->fail("it is negative. Try 0.5, or without it.");
   }
 }
 
@@ -96,9 +98,11 @@ Probe read_probe(const Value& item, int dimension) {
 Output read_output(const Value& section) {
   const Table table = section.table({"every", "probes_every", "frames", "energy"});
   Output output;
-  if (const auto every = table.find("every")) output.frame_interval = every->number(Unit::time);
+  if (const auto every = table.find("every")) {
+    output.frame_interval = unless_zero(every->number(Unit::time));
+  }
   if (const auto every = table.find("probes_every")) {
-    output.probe_interval = every->number(Unit::time);
+    output.probe_interval = unless_zero(every->number(Unit::time));
   }
   if (const auto frames = table.find("frames")) output.frames = frames->boolean();
   if (const auto energy = table.find("energy")) output.energy = energy->boolean();

@@ -58,12 +58,12 @@ struct Numerics {
   bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
   bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
   StressRotation stress_rotation = StressRotation::hughes_winget;
-  double viscosity_alpha = 0.1;             ///< Eq. 26 [-]
-  double viscosity_beta = 0.0;              ///< Eq. 26 [-]
-  double artificial_stress = 0.0;           ///< epsilon of Eq. 27 [-]; 0 leaves the term out
-  double artificial_stress_exponent = 0.0;  ///< n of Eq. 20 [-]; 0 means W(0)/W(dx)
-  double stress_diffusion = 0.1;            ///< cap of the diffusivity in h c [-]; 0 leaves it out
-  double diffusion_shear_gate = 20.0;       ///< diffusivity per h^2 |shear rate| [-]
+  double viscosity_alpha = 0.1;    ///< Eq. 26 [-]
+  double viscosity_beta = 0.0;     ///< Eq. 26 [-]
+  double artificial_stress = 0.0;  ///< epsilon of Eq. 27 [-]; 0 leaves the term out
+  std::optional<double> artificial_stress_exponent{};  ///< n of Eq. 20 [-]; empty: W(0)/W(dx)
+  double stress_diffusion = 0.1;       ///< cap of the diffusivity in h c [-]; 0 leaves it out
+  double diffusion_shear_gate = 20.0;  ///< diffusivity per h^2 |shear rate| [-]
   Integrator integrator = Integrator::kick_drift_kick;
   int verlet_restart_interval = 40;         ///< M of Eq. 29 [steps]
   double cfl = 1.0;                         ///< N_CFL of Eq. 30 [-]
@@ -75,15 +75,15 @@ struct Numerics {
 
 /// The rows of `kernels/constitutive/list.hpp` name the models and their parameters.
 struct Material {
-  std::string name;
+  std::string name{};
   std::string model = "drucker_prager";
-  double density = 0.0;            ///< reference density [kg/m3]
-  std::vector<double> parameters;  ///< in the order the model declares, SI
-  double k0 = -1.0;  ///< horizontal over vertical stress; negative: `Scene::initial_k0`
+  double density = 0.0;              ///< reference density [kg/m3]
+  std::vector<double> parameters{};  ///< in the order the model declares, SI
+  std::optional<double> k0{};  ///< horizontal over vertical stress; empty: `Scene::initial_k0`
 };
 
 struct Polygon {  ///< 2D outline, or in 3D its extrusion along y
-  std::vector<std::array<double, 2>> points;
+  std::vector<std::array<double, 2>> points{};
   /// 3D only: outline lies in the x-z plane (z up) and is extruded along y over this range.
   std::array<double, 2> extrude{0.0, 0.0};
 };
@@ -105,14 +105,14 @@ struct HeightField {
   double base = 0.0;
   enum class Kind { x_profile, y_profile, radial_profile, expression } kind = Kind::x_profile;
   std::array<double, 2> centre{};
-  std::vector<std::array<double, 2>> profile;  ///< (distance, height), linear in between
-  std::string expression;                      ///< of x and y, evaluated by muParser
+  std::vector<std::array<double, 2>> profile{};  ///< (distance, height), linear in between
+  std::string expression{};                      ///< of x and y, evaluated by muParser
 };
 
 struct Body {
-  std::size_t material = 0;  ///< index into `materials`
-  std::variant<Polygon, Box, Cylinder, HeightField> shape;
-  Vec3 velocity{};  ///< initial velocity [m/s]
+  std::variant<Polygon, Box, Cylinder, HeightField> shape{};
+  std::string material{};  ///< its name; empty: the scene's only one
+  Vec3 velocity{};         ///< initial velocity [m/s]
   /// Initial velocity by place instead: one muParser expression of x, y, z [m] for each direction
   /// [m/s]; empty: `velocity`.
   std::vector<std::string> velocity_field{};
@@ -131,36 +131,37 @@ struct Facet {
 };
 
 struct Wall {
-  std::string name;
+  std::string name{};
   WallKind kind = WallKind::no_slip;
-  std::vector<Facet> facets;
-  Vec3 velocity{};         ///< rigid translation [m/s]
-  std::string moves_from;  ///< stage at whose start it begins to move; empty: from the start
-  std::string removed_at;  ///< stage at whose start it is removed; empty: never
-  int line = 0;            ///< where it begins in `Scene::file`; 0: made in code
+  std::vector<Facet> facets{};
+  Vec3 velocity{};           ///< rigid translation [m/s]
+  std::string moves_from{};  ///< stage at whose start it begins to move; empty: from the start
+  std::string removed_at{};  ///< stage at whose start it is removed; empty: never
+  int line = 0;              ///< where it begins in `Scene::file`; 0: made in code
 };
 
 struct Stage {
-  std::string name;
+  std::string name{};
   StageEnd until = StageEnd::duration;
-  double duration = 0.0;            ///< [s]; for `rest` the longest time allowed, 0: no limit
-  double rest_velocity = 1e-3;      ///< fastest particle at rest [m/s]
-  double strength_reduction = 1.0;  ///< factor SRF of Eq. 31 on every material [-]
-  std::map<std::string, double> material_strength_reduction;  ///< overrides by material name
-  double damping = -1.0;  ///< c_d of F = -c_d v [1/s]; negative: pi c_p/(2H) where a `rest` stage
-                          ///< resets after, else 0
+  std::optional<double> duration{};  ///< [s]; for `rest` the longest time allowed, empty: no limit
+  double rest_velocity = 1e-3;       ///< fastest particle at rest [m/s]
+  double strength_reduction = 1.0;   ///< factor SRF of Eq. 31 on every material [-]
+  std::map<std::string, double> material_strength_reduction{};  ///< overrides by material name
+  /// c_d of F = -c_d v [1/s]; empty: pi c_p/(2H) where a `rest` stage resets after, else 0.
+  std::optional<double> damping{};
   bool reset_after = false;  ///< zero velocity, displacement, plastic strain when it ends
 };
 
 struct Probe {
-  std::string name;
+  std::string name{};
   Vec3 at{};     ///< follows the particle nearest to this point at the start
   int line = 0;  ///< where it begins in `Scene::file`; 0: made in code
 };
 
 struct Output {
-  double frame_interval = 0.0;  ///< [s] of simulated time; 0: first and last frame of a stage
-  double probe_interval = 0.0;  ///< [s]; 0: a hundredth of the stage
+  /// [s] of simulated time; empty: first and last frame of a stage.
+  std::optional<double> frame_interval{};
+  std::optional<double> probe_interval{};  ///< [s]; empty: a hundredth of the stage
   bool frames = true;
   bool energy = false;  ///< sum dissipation (costs 5 to 20 %)
 };
@@ -173,23 +174,23 @@ struct Checkpoints {
 };
 
 struct Scene {
-  std::string title;
-  std::string file;  ///< where it was read from; empty if built in code
-  std::string text;  ///< ... and its words, before any override
+  std::string title{};
+  std::string file{};  ///< where it was read from; empty if built in code
+  std::string text{};  ///< ... and its words, before any override
   int dimension = 2;
   Vec3 gravity{0.0, -9.81, 0.0};
   double spacing = 0.0;  ///< particle spacing dx [m]
-  Numerics numerics;
-  std::vector<Material> materials;
-  std::vector<Body> bodies;
-  std::vector<Wall> walls;
+  Numerics numerics{};
+  std::vector<Material> materials{};
+  std::vector<Body> bodies{};
+  std::vector<Wall> walls{};
   InitialStress initial_stress = InitialStress::zero;
-  double initial_k0 = -1.0;                ///< horizontal over vertical stress; negative: nu/(1-nu)
+  std::optional<double> initial_k0{};      ///< horizontal over vertical stress; empty: nu/(1-nu)
   std::array<double, 6> uniform_stress{};  ///< xx, yy, zz, xy, yz, zx for `uniform` [Pa]
-  std::vector<Stage> stages;
-  std::vector<Probe> probes;
-  Output output;
-  Checkpoints checkpoints;
+  std::vector<Stage> stages{};
+  std::vector<Probe> probes{};
+  Output output{};
+  Checkpoints checkpoints{};
   int retries = 0;  ///< how often `scarp run` may go back and halve the time step
 };
 
@@ -198,6 +199,13 @@ struct Scene {
 std::string message_start(const Scene& scene, const Body& body);
 std::string message_start(const Scene& scene, const Wall& wall);
 std::string message_start(const Scene& scene, const Probe& probe);
+
+/// Index into `materials` of what one of the scene's bodies is made of. Errors: SceneError for a
+/// name that no material has.
+std::size_t material_of(const Scene& scene, const Body& body);
+
+/// Whether a body is made of the material with this index.
+bool is_used(const Scene& scene, std::size_t material);
 
 /// Horizontal over vertical stress of a material at rest: its own, else that of the scene, else
 /// nu/(1 - nu). Geostatic stress, stress diffusion and mirror images take it.

@@ -85,7 +85,7 @@ Scene read_document(const Value& document, const std::string& name,
     scene.gravity = input::read_vector(*gravity, Unit::acceleration, d);
   }
   scene.spacing = root.require("spacing", "\"0.25 m\"").number(Unit::length);
-  if (overrides.spacing != 0.0) scene.spacing = overrides.spacing;
+  if (overrides.spacing) scene.spacing = *overrides.spacing;
   if (!(scene.spacing > 0.0)) {
     root.require("spacing", "").fail("the particle spacing is not positive. Try \"0.25 m\".");
   }

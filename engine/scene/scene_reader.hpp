@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,8 @@ namespace scarp {
 
 /// What a command line may put in place of the scene's own words.
 struct SceneOverrides {
-  std::string preset;    ///< rows under [numerics] still apply on top; empty: the scene's
-  double spacing = 0.0;  ///< [m]; 0: the scene's
+  std::string preset{};  ///< rows under [numerics] still apply on top; empty: the scene's
+  std::optional<double> spacing{};  ///< [m]; empty: the scene's
 };
 
 /// Reads and validates a scene. Errors: FileError if the file cannot be read; SceneError

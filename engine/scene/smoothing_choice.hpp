@@ -12,11 +12,12 @@ inline const kernels::SmoothingForm& smoothing_of(const Numerics& numerics) {
   return kernels::smoothing_functions[static_cast<std::size_t>(numerics.smoothing)];
 }
 
-/// F^n of Eq. 20, where an exponent of 0 stands for W(0)/W(dx).
+/// F^n of Eq. 20, where no exponent stands for W(0)/W(dx).
 inline TensionFactorFit tension_factor_of(const Numerics& numerics) {
   const kernels::SmoothingForm& form = smoothing_of(numerics);
-  const double q = 1.0 / numerics.smoothing_ratio, exponent = numerics.artificial_stress_exponent;
-  return fit_tension_factor(form, q, exponent > 0.0 ? exponent : form.shape(0.0) / form.shape(q));
+  const double q = 1.0 / numerics.smoothing_ratio;
+  return fit_tension_factor(
+      form, q, numerics.artificial_stress_exponent.value_or(form.shape(0.0) / form.shape(q)));
 }
 
 }  // namespace scarp

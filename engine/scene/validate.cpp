@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The rules every scene keeps, from a file or made in code; each names the key it is about.
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -17,6 +18,7 @@ namespace scarp {
 namespace {
 
 using checks::inside;
+using checks::positive;
 using checks::rule;
 
 void check_numerics(const Numerics& n) {
@@ -27,13 +29,14 @@ void check_numerics(const Numerics& n) {
   inside(n.viscosity_alpha, 0.0, 100.0, key("viscosity_alpha"));
   inside(n.viscosity_beta, 0.0, 100.0, key("viscosity_beta"));
   inside(n.artificial_stress, 0.0, 10.0, key("artificial_stress"));
-  inside(n.artificial_stress_exponent, 0.0, 20.0, key("artificial_stress_exponent"));
+  if (n.artificial_stress_exponent)
+    positive(*n.artificial_stress_exponent, 20.0, key("artificial_stress_exponent"));
   if (n.artificial_stress > 0.0) {
     const double error = tension_factor_of(n).error;
     const bool fits = error < 0.01;
-    const bool automatic = n.artificial_stress_exponent == 0.0;
     rule(fits, key("artificial_stress_exponent"),
-         automatic ? "\"auto\"" : fmt::format("{}", n.artificial_stress_exponent),
+         n.artificial_stress_exponent ? fmt::format("{}", *n.artificial_stress_exponent)
+                                      : "\"auto\"",
          fmt::format("the sweep's polynomials miss F^n by {:.1f} %, more than 1 %. Try an exponent "
                      "between 0.5 and 4.",
                      100.0 * error));
@@ -76,7 +79,7 @@ void check_material(const Material& material, const std::string& path) {
        fmt::format("{} values", material.parameters.size()),
        fmt::format("model {} has {} parameters. Try to give each of them.", material.model,
                    specs.size()));
-  inside(material.k0, -10.0, 10.0, path + ".k0");
+  if (material.k0) inside(*material.k0, 0.0, 10.0, path + ".k0");
   double friction = std::nan("");
   for (std::size_t p = 0; p < specs.size(); ++p) {
     const auto& spec = specs[p];
@@ -99,12 +102,13 @@ void check_material(const Material& material, const std::string& path) {
 }
 
 void check_stage(const Scene& scene, const Stage& stage, const std::string& path) {
-  inside(stage.duration, 0.0, 1e9, path + ".duration");
-  rule(stage.duration > 0.0 || stage.until == StageEnd::rest, path + ".duration", "0",
+  rule(stage.duration != 0.0 && (stage.duration || stage.until == StageEnd::rest),
+       path + ".duration", stage.duration ? "0" : "none",
        "the stage would take no time. Try \"10 s\", or until = \"rest\".");
+  if (stage.duration) positive(*stage.duration, 1e9, path + ".duration");
   inside(stage.rest_velocity, 1e-12, 1e3, path + ".rest_velocity");
   inside(stage.strength_reduction, 1e-3, 1e3, path + ".strength_reduction");
-  inside(stage.damping, -1e9, 1e9, path + ".damping");
+  if (stage.damping) inside(*stage.damping, 0.0, 1e9, path + ".damping");
   std::vector<std::string> names;
   for (const Material& material : scene.materials) names.push_back(material.name);
   for (const auto& [name, factor] : stage.material_strength_reduction) {
@@ -128,7 +132,7 @@ void check_initial(const Scene& scene) {
   if (scene.initial_stress != InitialStress::geostatic) return;
   rule(scene.gravity != Vec3{}, "initial.stress", "\"geostatic\"",
        "gravity is 0, so nothing has weight. Try \"zero\", or gravity = [0, -9.81].");
-  inside(scene.initial_k0, -10.0, 10.0, "initial.k0");
+  if (scene.initial_k0) inside(*scene.initial_k0, 0.0, 10.0, "initial.k0");
 }
 
 }  // namespace
@@ -155,9 +159,28 @@ std::string message_start(const Scene& scene, const Probe& probe) {
   return start_of(scene, scene.probes, probe, "probe");
 }
 
+std::size_t material_of(const Scene& scene, const Body& body) {
+  if (body.material.empty() && scene.materials.size() == 1) return 0;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (scene.materials[m].name == body.material) return m;
+  }
+  std::vector<std::string> names;
+  for (const Material& material : scene.materials) names.push_back(material.name);
+  throw SceneProblem(
+      fmt::format("body[{}].material", &body - scene.bodies.data()), '"' + body.material + '"',
+      body.material.empty() ? fmt::format("the scene has {} materials. Try the name of one: {}.",
+                                          names.size(), fmt::join(names, ", "))
+                            : "no material has this name. " + did_you_mean(body.material, names));
+}
+
+bool is_used(const Scene& scene, std::size_t material) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [&](const Body& body) { return material_of(scene, body) == material; });
+}
+
 double k0_of(const Scene& scene, const Material& material) {
-  if (material.k0 >= 0.0) return material.k0;
-  if (scene.initial_k0 >= 0.0) return scene.initial_k0;
+  if (material.k0) return *material.k0;
+  if (scene.initial_k0) return *scene.initial_k0;
   const double poisson = material.parameters[1];
   return poisson / (1.0 - poisson);
 }
@@ -202,8 +225,10 @@ void validate(const Scene& scene) {
   for (std::size_t p = 0; p < scene.probes.size(); ++p) {
     checks::vector(scene.probes[p].at, scene.dimension, 1e9, item("probe", p) + ".at");
   }
-  inside(scene.output.frame_interval, 0.0, 1e9, "output.every");
-  inside(scene.output.probe_interval, 0.0, 1e9, "output.probes_every");
+  if (scene.output.frame_interval) positive(*scene.output.frame_interval, 1e9, "output.every");
+  if (scene.output.probe_interval) {
+    positive(*scene.output.probe_interval, 1e9, "output.probes_every");
+  }
   inside(scene.checkpoints.interval, 0.0, 1e9, "checkpoint.every");
   inside(scene.checkpoints.wall_interval, 0.0, 1e9, "checkpoint.wall_every");
   inside(scene.retries, 0, 20, "run.retry");

@@ -12,6 +12,8 @@ namespace scarp::checks {
 void rule(bool holds, const std::string& path, const std::string& value, const std::string& why);
 /// Finite and minimum <= value <= maximum.
 void inside(double value, double minimum, double maximum, const std::string& path);
+/// Finite and 0 < value <= maximum.
+void positive(double value, double maximum, const std::string& path);
 /// The same for radians, with a message in degrees.
 void inside_degrees(double value, double minimum, double maximum, const std::string& path);
 /// Components finite, at most `largest` in size, and no z in 2D.

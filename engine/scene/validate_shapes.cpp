@@ -145,6 +145,11 @@ void inside(double value, double minimum, double maximum, const std::string& pat
        fmt::format("it is outside {} to {}. Try a value inside.", minimum, maximum));
 }
 
+void positive(double value, double maximum, const std::string& path) {
+  inside(value, 0.0, maximum, path);
+  rule(value > 0.0, path, "0", "it is 0. Try a value above 0, or none at all.");
+}
+
 void inside_degrees(double value, double minimum, double maximum, const std::string& path) {
   rule(std::isfinite(value) && value >= minimum && value <= maximum, path,
        fmt::format("{} rad", value),
@@ -160,8 +165,7 @@ void vector(const Vec3& value, int dimension, double largest, const std::string&
 
 void body(const Scene& scene, std::size_t index, const std::string& path) {
   const Body& body = scene.bodies[index];
-  rule(body.material < scene.materials.size(), path + ".material", fmt::format("{}", body.material),
-       fmt::format("there are only {} materials. Try a smaller index.", scene.materials.size()));
+  material_of(scene, body);
   std::visit([&](const auto& s) { shape(s, scene.dimension, path); }, body.shape);
   vector(body.velocity, scene.dimension, 1e6, path + ".velocity");
   rule(body.velocity_field.empty() ||

@@ -39,11 +39,6 @@ void check_cone(const Scene& scene, const Material& material, std::vector<std::s
   }
 }
 
-bool has_body(const Scene& scene, std::size_t material) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [material](const Body& body) { return body.material == material; });
-}
-
 /// The stiffest material sets the step for all. Where it only carries, a hundred times the
 /// stiffness of the softest will do: under the same stress it strains a hundredth as much.
 void check_contrast(const Scene& scene, std::vector<std::string>& found) {
@@ -53,7 +48,7 @@ void check_contrast(const Scene& scene, std::vector<std::string>& found) {
     return std::sqrt(constrained_modulus(m) / m.density);
   };
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    if (!has_body(scene, m)) continue;
+    if (!is_used(scene, m)) continue;
     const Material& material = scene.materials[m];
     if (soft == nullptr || constrained_modulus(material) < constrained_modulus(*soft))
       soft = &material;
@@ -78,7 +73,7 @@ std::vector<std::string> warnings(const Scene& scene) {
   for (const Material& material : scene.materials) check_cone(scene, material, found);
   check_magnitudes(scene, found);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    if (!has_body(scene, m)) {
+    if (!is_used(scene, m)) {
       found.push_back(
           fmt::format("material '{}': no body is made of it.", scene.materials[m].name));
     }

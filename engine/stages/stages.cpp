@@ -149,15 +149,12 @@ void enter_stage(State& state, std::size_t index) {
   state.stage.started = true;
   update_walls(state, stage.name);
   set_material_constants(state);
-  const bool automatic = stage.damping < 0.0;
   // A change is felt through the whole soil in a passage of a wave.
   const auto [height, passage] = tallest_stretch(state);
   // pi c_p / (2 H) is the circular frequency of a column's first mode: critical within a factor of
   // two.
-  state.stage.damping = !automatic ? stage.damping
-                        : stage.until == StageEnd::rest && stage.reset_after
-                            ? std::numbers::pi / (2.0 * passage)
-                            : 0.0;
+  const bool settles = stage.until == StageEnd::rest && stage.reset_after;
+  state.stage.damping = stage.damping.value_or(settles ? std::numbers::pi / (2.0 * passage) : 0.0);
   const Vec3& g = state.scene.gravity;
   const double fall = std::sqrt(height / std::max(std::hypot(g[0], g[1], g[2]), 1e-12));
   state.stage.rest_window = state.stage.damping > 0.0 ? 4.0 * passage : fall;

@@ -11,7 +11,7 @@ int main() {
   scene.spacing = 0.1;
   // Young's modulus, Poisson's ratio, cohesion, friction angle, dilation angle, cone
   scene.materials = {{"clay", "drucker_prager", 2000.0, {10e6, 0.3, 10e3, 0.35, 0.0, 0.0}}};
-  scene.bodies = {{0, scarp::Polygon{{{1.0, 0.0}, {2.0, 0.0}, {2.0, 0.5}, {1.0, 0.5}}}}};
+  scene.bodies = {{.shape = scarp::Polygon{{{1.0, 0.0}, {2.0, 0.0}, {2.0, 0.5}, {1.0, 0.5}}}}};
   scene.walls = {{"base", scarp::WallKind::no_slip, {{{}, {1, 0, 0}, {}, 3.0, 0.0, {0, 1, 0}}}}};
   scene.stages = {{"fall", scarp::StageEnd::duration, 10.0}};
 

@@ -45,7 +45,7 @@ inline Scene elastic_column(const std::string& preset_name, double height, doubl
   scene.spacing = spacing;
   scene.numerics = preset(preset_name);
   scene.materials = {elastic()};
-  scene.bodies = {{0, Box{{0, 0, 0}, {1, height, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1, height, 0}}}};
   scene.walls = {wall_of(
       "box", WallKind::free_slip,
       {facet_2d(0, 0, 1, 0), facet_2d(1, 0, 1, height + 1), facet_2d(0, height + 1, 0, 0)})};
@@ -64,7 +64,7 @@ inline Scene small_slope(const std::string& preset_name, double settle, double f
   scene.spacing = 1.0;
   scene.numerics = preset(preset_name);
   scene.materials = {clay()};
-  scene.bodies = {{0, Polygon{{{0, 0}, {45, 0}, {45, 5}, {32, 5}, {12, 15}, {0, 15}}, {}}, {}}};
+  scene.bodies = {{.shape = Polygon{{{0, 0}, {45, 0}, {45, 5}, {32, 5}, {12, 15}, {0, 15}}}}};
   scene.walls = {wall_of("base", WallKind::no_slip, {facet_2d(0, 0, 45, 0)}),
                  wall_of("left", WallKind::free_slip, {facet_2d(0, 20, 0, 0)}),
                  wall_of("right", WallKind::free_slip, {facet_2d(45, 0, 45, 20)})};
@@ -90,7 +90,7 @@ inline Scene small_collapse(const std::string& preset_name, double spacing, doub
   scene.spacing = spacing;
   scene.numerics = preset(preset_name);
   scene.materials = {{"sand", "drucker_prager", 1530.0, {2e6, 0.25, 0.0, 0.576, 0.0, 1.0}}};
-  scene.bodies = {{0, Box{{0, 0, 0}, {0.24, 0.16, 0.16}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {0.24, 0.16, 0.16}}}};
   const auto face = [](Vec3 origin, Vec3 u, Vec3 v, double length_u, double length_v, Vec3 normal) {
     return Facet{origin, u, v, length_u, length_v, normal};
   };

@@ -89,7 +89,7 @@ void add_stiffness(Map& map) {
       below.name = "below";
       above.name = "above";
       cell.scene.materials = {below, above};
-      cell.scene.bodies = {box_of(0, 0, 0, 20, 3), box_of(1, 0, 3, 20, 6)};
+      cell.scene.bodies = {box_of("below", 0, 0, 20, 3), box_of("above", 0, 3, 20, 6)};
     };
   };
   const Build bed = [](const std::string& name) { return bed_scene(name, 20, 6, 0.5); };
@@ -129,7 +129,7 @@ void add_strength(Map& map) {
       scene.walls.clear();
       scene.gravity = {0, 0, 0};
       scene.initial_stress = InitialStress::zero;
-      scene.bodies = {box_of(0, 0, 0, 10, 5, speed), box_of(0, 0, 5, 10, 10, -speed)};
+      scene.bodies = {box_of("soil", 0, 0, 10, 5, speed), box_of("soil", 0, 5, 10, 10, -speed)};
       scene.stages = {lasting("go", 1e6)};
     };
   };
@@ -147,7 +147,7 @@ void add_loading(Map& map) {
     return [=](Cell& cell) {
       Scene& scene = cell.scene;
       scene.materials = {soil(20e6, dry ? 0.0 : 10e3, 30), solid("block", 100e6)};
-      scene.bodies.push_back(box_of(1, 8, 3 + gap, 12, 5 + gap, speed));
+      scene.bodies.push_back(box_of("block", 8, 3 + gap, 12, 5 + gap, speed));
       scene.initial_stress = InitialStress::zero;
       scene.stages = {lasting("go", 1e6)};
       cell.steps = 4000;
@@ -185,7 +185,7 @@ void add_loading(Map& map) {
     scene.gravity = {0, 0, 0};
     scene.initial_stress = InitialStress::zero;
     scene.materials = {solid("disc", 10e6)};
-    Body body{0, Cylinder{{0, 0, 0}, 1.0}, {}};
+    Body body{.shape = Cylinder{{0, 0, 0}, 1.0}};
     body.velocity_field = {"-2*pi*y", "2*pi*x"};
     scene.bodies = {body};
     scene.stages = {lasting("turn", 10.0)};
@@ -220,7 +220,7 @@ void add_shape(Map& map) {
   const Build wedge = [](const std::string& name) {
     Scene scene = bed_scene(name, 10, 4, 0.4);
     scene.materials = {soil(20e6, 0, 30)};
-    scene.bodies = {{0, Polygon{{{3, 4}, {7, 4}, {7, 8}, {3, 8}}, {}}, {}}};
+    scene.bodies = {{.shape = Polygon{{{3, 4}, {7, 4}, {7, 8}, {3, 8}}}}};
     scene.walls = {wall_2d("left", WallKind::no_slip, {line_2d(0, 8, 4.9, -4)}),
                    wall_2d("right", WallKind::no_slip, {line_2d(5.1, -4, 10, 8)})};
     scene.initial_stress = InitialStress::zero;
@@ -243,7 +243,7 @@ void add_shape(Map& map) {
   const auto plate = [](double thickness) {
     return [thickness](Cell& cell) {
       const double x = 10.0;
-      cell.scene.bodies = {box_of(0, 0, 0, x, 5), box_of(0, x + thickness, 0, 20, 2)};
+      cell.scene.bodies = {box_of("soil", 0, 0, x, 5), box_of("soil", x + thickness, 0, 20, 2)};
       cell.scene.walls.push_back(
           wall_2d("plate", WallKind::no_slip,
                   {line_2d(x, 0, x, 20), line_2d(x + thickness, 20, x + thickness, 0)}));

@@ -43,7 +43,8 @@ Material soil(double youngs, double cohesion, double friction_deg, double dilati
           {youngs, poisson, cohesion, friction_deg * degree, dilation_deg * degree, 0.0}};
 }
 
-Body box_of(std::size_t material, double x0, double y0, double x1, double y1, double falling) {
+Body box_of(const std::string& material, double x0, double y0, double x1, double y1,
+            double falling) {
   Body body;
   body.material = material;
   body.shape = Box{{x0, y0, 0}, {x1, y1, 0}};
@@ -69,7 +70,7 @@ Scene slope_scene(const std::string& preset_name) {
   scene.spacing = 1.0;
   scene.numerics = preset(preset_name);
   scene.materials = {soil()};
-  scene.bodies = {{0, Polygon{{{0, 0}, {45, 0}, {45, 5}, {32, 5}, {12, 15}, {0, 15}}, {}}, {}}};
+  scene.bodies = {{.shape = Polygon{{{0, 0}, {45, 0}, {45, 5}, {32, 5}, {12, 15}, {0, 15}}}}};
   scene.walls = {
       wall_2d("base", WallKind::no_slip, {line_2d(0, 0, 45, 0)}),
       wall_2d("sides", WallKind::free_slip, {line_2d(0, 20, 0, 0), line_2d(45, 0, 45, 20)})};
@@ -83,7 +84,7 @@ Scene bed_scene(const std::string& preset_name, double width, double height, dou
   scene.spacing = spacing;
   scene.numerics = preset(preset_name);
   scene.materials = {soil()};
-  scene.bodies = {box_of(0, 0, 0, width, height)};
+  scene.bodies = {box_of("soil", 0, 0, width, height)};
   const double top = 4.0 * height;
   scene.walls = {wall_2d("base", WallKind::no_slip, {line_2d(0, 0, width, 0)}),
                  wall_2d("sides", WallKind::free_slip,

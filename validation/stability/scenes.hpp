@@ -12,7 +12,8 @@ Wall wall_2d(const std::string& name, WallKind kind, std::vector<Facet> facets);
 Material soil(double youngs = 100e6, double cohesion = 10e3, double friction_deg = 20.0,
               double dilation_deg = 0.0, double poisson = 0.3, double density = 2000.0);
 /// A box from one corner to the other.
-Body box_of(std::size_t material, double x0, double y0, double x1, double y1, double falling = 0.0);
+Body box_of(const std::string& material, double x0, double y0, double x1, double y1,
+            double falling = 0.0);
 Material solid(const std::string& name, double youngs, double density = 2000.0);
 
 /// Slope of 10 m on 5 m of ground at 1 m, 445 particles: settles, then goes on at full strength.

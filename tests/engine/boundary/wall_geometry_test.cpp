@@ -88,7 +88,7 @@ TEST(FacetIndexTest, FindsAllThatIsNearAndAsksFew) {
 
 TEST(WallClearanceTest, SoilBehindAReversedLineIsNamed) {
   Scene scene = line_scene({{10, 0}, {0, 0}});
-  scene.bodies = {{0, Box{{0, 0, 0}, {10, 5, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {10, 5, 0}}}};
   const SoilPoints soil = generate_soil(scene);
   try {
     check_wall_clearance(scene, soil);
@@ -108,7 +108,7 @@ TEST(WallClearanceTest, SoilBehindAReversedLineIsNamed) {
 TEST(WallClearanceTest, SoilOnBothSidesOfALineIsToldHowASheetPileIsDrawn) {
   for (const bool reversed : {false, true}) {
     Scene scene = reversed ? line_scene({{5, 4}, {5, 1}}) : line_scene({{5, 1}, {5, 4}});
-    scene.bodies = {{0, Box{{0, 0, 0}, {10, 5, 0}}, {}}};
+    scene.bodies = {{.shape = Box{{0, 0, 0}, {10, 5, 0}}}};
     try {
       check_wall_clearance(scene, generate_soil(scene));
       FAIL() << "no error";
@@ -125,7 +125,7 @@ TEST(WallClearanceTest, SoilOnTheOtherSideOfAThinWallIsClear) {
   // A wall 1 m thick with a face on each side: thinner than its layers of 1.5 m.
   Scene scene = empty_scene(2);
   scene.walls = {line_wall("sheet", WallKind::no_slip, {{4, 0}, {4, 4}, {5, 4}, {5, 0}})};
-  scene.bodies = {{0, Box{{0, 0, 0}, {4, 4, 0}}, {}}, {0, Box{{5, 0, 0}, {9, 4, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {4, 4, 0}}}, {.shape = Box{{5, 0, 0}, {9, 4, 0}}}};
   const SoilPoints soil = generate_soil(scene);
   EXPECT_NO_THROW(check_wall_clearance(scene, soil));
   const auto held = cells(generate_dummies(scene), 0.5);

@@ -81,7 +81,7 @@ inline Scene basin(const Meeting& m) {
                       {2e6, 0.3, m.sand ? 0.0 : 1e3, m.sand ? 0.576 : 0.349, 0.0, 0.0}}};
   const double slant = 1.0 / std::tan(m.angle * std::numbers::pi / 180.0);
   const double lean = std::abs(slant) < 1e-12 ? 0.0 : slant;
-  scene.bodies = {{0, Polygon{{{0, 0}, {w, 0}, {w, h}, {lean * h, h}}, {}}, {}}};
+  scene.bodies = {{.shape = Polygon{{{0, 0}, {w, 0}, {w, h}, {lean * h, h}}}}};
   const double top = h + m.sides_above * dx, reach = m.side_beyond * dx;
   const double low = shift - reach,
                left_low = shift - reach * std::sin(m.angle * std::numbers::pi / 180.0);

@@ -60,7 +60,7 @@ Scene room_scene(const Room& r) {
                       "drucker_prager",
                       2000.0,
                       {2e6, 0.3, r.sand ? 0.0 : 1e3, r.sand ? 0.576 : 0.349, 0.0, 0.0}}};
-  scene.bodies = {{0, Box{{0, 0, 0}, {x, y, h}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {x, y, h}}}};
   const double tall = 2.0 * h + below;
   const Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
   scene.walls = {
@@ -122,7 +122,7 @@ TEST(WallMeetingsTest, BedBetweenSidesThatGoOnBelowStaysAtRest) {
   scene.spacing = 0.1;
   scene.numerics = preset("modern");
   scene.materials = {{"clay", "drucker_prager", 2000.0, {2e6, 0.3, 1e3, 0.349, 0.0, 0.0}}};
-  scene.bodies = {{0, Box{{0, 0, 0}, {1, 2, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 2, 0}}}};
   scene.walls = {
       wall_of("base", WallKind::no_slip, {facet_2d(0, 0, 1, 0)}),
       wall_of("sides", WallKind::free_slip, {facet_2d(0, 4, 0, -1), facet_2d(1, -1, 1, 4)})};
@@ -148,7 +148,7 @@ TEST(WallMeetingsTest, RoughPlateBetweenSmoothSidesKeepsAllSoilBelowIt) {
   scene.gravity = {};
   scene.numerics = preset("modern");
   scene.materials = {{"clay", "drucker_prager", 1800.0, {2e6, 0.3, 10e3, 0.349, 0.0, 0.0}}};
-  scene.bodies = {{0, Box{{0, 0, 0}, {1, 0.5, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 0.5, 0}}}};
   Wall plate = wall_of("plate", WallKind::no_slip, {facet_2d(1, 0.5, 0, 0.5)});
   plate.velocity = {0.0, -0.1, 0.0};
   scene.walls = {
@@ -172,7 +172,7 @@ TEST(WallMeetingsTest, FootingBesideASymmetryPlaneIsHalfOfTheWhole) {
     scene.spacing = 0.1;
     scene.numerics = preset("modern");
     scene.materials = {{"clay", "drucker_prager", 2000.0, {2e6, 0.3, 5e3, 0.349, 0.0, 0.0}}};
-    scene.bodies = {{0, Box{{left, 0, 0}, {2, 1, 0}}, {}}};
+    scene.bodies = {{.shape = Box{{left, 0, 0}, {2, 1, 0}}}};
     const double reach = left < 0.0 ? -0.5 : 0.0;
     Wall plate = wall_of("footing", WallKind::no_slip, {facet_2d(0.5, 1, reach, 1)});
     plate.velocity = {0.0, -0.1, 0.0};

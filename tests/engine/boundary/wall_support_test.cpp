@@ -25,7 +25,7 @@ Scene bed(double gap) {
   Scene scene;
   scene.spacing = 0.05;
   scene.materials = {elastic()};
-  scene.bodies = {{0, Box{{0, 0, 0}, {2, 0.5, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {2, 0.5, 0}}}};
   scene.walls = {wall_of("left", WallKind::no_slip, {facet_2d(0, 0, 1, 0)}),
                  wall_of("right", WallKind::no_slip, {facet_2d(1 + gap, 0, 2, 0)})};
   scene.stages = {stage_for("first", 1.0), stage_for("second", 1.0)};
@@ -50,10 +50,10 @@ TEST(WallSupportTest, AFloorAnywhereBelowIsSupport) {
 
 TEST(WallSupportTest, SoilBelowItsBaseAndBesideItIsNamed) {
   Scene scene = bed(0.0);
-  scene.bodies = {{0, Box{{0, -1, 0}, {2, -0.5, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, -1, 0}, {2, -0.5, 0}}}};
   expect_told(scene, {"no wall lies below any of the soil", "on the left"});
   scene = bed(0.0);
-  scene.bodies = {{0, Box{{0, 0, 0}, {2.2, 0.5, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {2.2, 0.5, 0}}}};
   expect_told(scene, {"below 40 of 440", "0.2 m wide"});
   scene.gravity = {};
   EXPECT_TRUE(told(scene).empty());
@@ -84,7 +84,7 @@ TEST(WallSupportTest, GravityMayPointAnywhere) {
   // Turned by 90 degrees: the base is a wall at x = 0 that faces +x.
   Scene scene = bed(0.15);
   scene.gravity = {-9.81, 0, 0};
-  scene.bodies = {{0, Box{{0, 0, 0}, {0.5, 2, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {0.5, 2, 0}}}};
   scene.walls[0].facets = {facet_2d(0, 1, 0, 0)};
   scene.walls[1].facets = {facet_2d(0, 2, 0, 1.15)};
   expect_told(scene, {"below 30 of 400", "0.15 m wide", "1.025)", "1.125)"});

@@ -291,7 +291,7 @@ TEST(Snapshot, GoesOnThroughMoreStagesThanItWasTakenWith) {
   advance(longer, 100000);
   advance(whole, 100000);
   expect_equal_states(whole, longer);
-  scene.stages[0].duration *= 2.0;
+  scene.stages[0].duration = 2.0 * scene.stages[0].duration.value();
   EXPECT_THROW(Simulation(scene, first.snapshot()), CheckpointError);
 }
 

@@ -23,7 +23,7 @@ Scene scene_of(const Material& material, const std::string& preset_name = "moder
   scene.materials = {material};
   if (dimension == 3) {
     scene.dimension = 3;
-    scene.bodies = {{0, Box{{0, 0, 0}, {1, 1, 1}}, {}}};
+    scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 1, 1}}}};
     scene.walls.clear();
   }
   return scene;

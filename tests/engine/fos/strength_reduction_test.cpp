@@ -45,8 +45,8 @@ TEST(SlopeHeight, IsThatOfTheGround) {
   Scene scene = coarse_slope();
   EXPECT_NEAR(slope_height(scene), 10.0, 1e-6);
   // A bench on top is ground; a body under it is not.
-  scene.bodies.push_back({0, Box{{0, 15, 0}, {4, 17, 0}}, {}});
-  scene.bodies.push_back({0, Box{{0, 0, 0}, {20, 1, 0}}, {}});
+  scene.bodies.push_back({.shape = Box{{0, 15, 0}, {4, 17, 0}}});
+  scene.bodies.push_back({.shape = Box{{0, 0, 0}, {20, 1, 0}}});
   EXPECT_NEAR(slope_height(scene), 12.0, 1e-6);
 }
 
@@ -58,7 +58,7 @@ TEST(SlopeHeight, OfAHeightFieldIn3D) {
   HeightField field;
   field.plan_maximum = {40.0, 12.0};
   field.profile = {{{12.0, 16.0}, {24.0, 4.0}}};
-  scene.bodies = {{0, field, {}}};
+  scene.bodies = {{.shape = field}};
   EXPECT_NEAR(slope_height(scene), 12.0, 1e-6);
 }
 
@@ -81,7 +81,7 @@ TEST(SlopeHeight, OfAPlaneTiltedIn3D) {
   scene.dimension = 3;
   scene.spacing = 0.5;
   scene.gravity = {9.81 * 0.6, 0.0, -9.81 * 0.8};
-  scene.bodies = {{0, Box{{0, 0, 0}, {10, 3, 2}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {10, 3, 2}}}};
   scene.materials = {test::elastic()};
   scene.walls = {test::wall_of("end", WallKind::no_slip,
                                {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 3, 2, {1, 0, 0}}})};
@@ -108,7 +108,7 @@ TEST(CriterionTest, FollowsHeightAndGravity) {
 
 TEST(CriterionTest, SaysWhatASceneLacks) {
   Scene level = coarse_slope();
-  level.bodies = {{0, Box{{0, 0, 0}, {45, 5, 0}}, {}}};
+  level.bodies = {{.shape = Box{{0, 0, 0}, {45, 5, 0}}}};
   EXPECT_NE(message_of([&] { choose_criterion(level, {}); }).find("level"), std::string::npos);
   CriterionOptions options;
   options.probe = "crset";
@@ -167,6 +167,7 @@ TEST(StrengthReductionTest, CutsOnlyTheMaterialsThatTheLastStageNames) {
   Scene scene = coarse_slope();
   scene.materials.push_back(scene.materials.front());
   scene.materials.back().name = "rock";
+  for (Body& body : scene.bodies) body.material = "clay";
   scene.stages.back().material_strength_reduction = {{"clay", 1.0}};
   scene.stages.back().strength_reduction = 0.9;
   const StrengthReduction slope = settled_slope(scene);
@@ -220,7 +221,7 @@ TEST(SettleStandingTest, ATiltedFlumeHasTheFactorOfTheInfiniteSlope) {
   scene.spacing = 0.2;
   scene.gravity = {9.81 * std::sin(tilt), -9.81 * std::cos(tilt), 0.0};
   scene.materials = {{"sand", "drucker_prager", 2000.0, {50e6, 0.3, c, phi, phi, 0.0}}};
-  scene.bodies = {{0, Box{{0, 0, 0}, {10, depth, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {10, depth, 0}}}};
   scene.walls = {test::wall_of("base", WallKind::no_slip, {test::facet_2d(0, 0, 10, 0)}),
                  test::wall_of("ends", WallKind::free_slip,
                                {test::facet_2d(10, 0, 10, 3), test::facet_2d(0, 3, 0, 0)})};

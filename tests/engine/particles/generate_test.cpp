@@ -19,7 +19,11 @@ Scene scene_of(int dimension, double spacing, std::vector<Body> bodies) {
   scene.dimension = dimension;
   scene.spacing = spacing;
   scene.gravity = dimension == 2 ? Vec3{0.0, -9.81, 0.0} : Vec3{0.0, 0.0, -9.81};
+  scene.materials = {{.name = "clay"}, {.name = "rock"}};
   scene.bodies = std::move(bodies);
+  for (Body& body : scene.bodies) {
+    if (body.material.empty()) body.material = "clay";
+  }
   return scene;
 }
 
@@ -66,7 +70,7 @@ const std::vector<std::array<double, 2>> slope = {{0, 0},  {45, 0},  {45, 5},
                                                   {32, 5}, {12, 15}, {0, 15}};
 
 TEST(GenerateSoilTest, BoxOfTenByTenMetresHoldsFortyByForty) {
-  const SoilPoints soil = fill(2, 0.25, {{0, Box{{0, 0, 0}, {10, 10, 0}}, {}}});
+  const SoilPoints soil = fill(2, 0.25, {{.shape = Box{{0, 0, 0}, {10, 10, 0}}}});
   ASSERT_EQ(soil.position.size(), 1600U);
   for (const Vec3& p : soil.position) {
     for (std::size_t a = 0; a < 2; ++a) {
@@ -80,13 +84,13 @@ TEST(GenerateSoilTest, BoxOfTenByTenMetresHoldsFortyByForty) {
 
 TEST(GenerateSoilTest, FacesAtInexactMultiplesAreMet) {
   // 0.1 and 0.3 are not binary fractions: without a tolerance counts come out one off.
-  const SoilPoints soil = fill(2, 0.1, {{0, Box{{0.3, -0.7, 0}, {1.3, 0.3, 0}}, {}}});
+  const SoilPoints soil = fill(2, 0.1, {{.shape = Box{{0.3, -0.7, 0}, {1.3, 0.3, 0}}}});
   EXPECT_EQ(soil.position.size(), 100U);
 }
 
 TEST(GenerateSoilTest, LatticeFarFromTheOriginIsComplete) {
   const double x = 4.2e6;  // an easting, where round-off is more than a billionth of the spacing
-  const SoilPoints soil = fill(2, 0.1, {{0, Box{{x, x, 0}, {x + 1.0, x + 2.0, 0}}, {}}});
+  const SoilPoints soil = fill(2, 0.1, {{.shape = Box{{x, x, 0}, {x + 1.0, x + 2.0, 0}}}});
   EXPECT_EQ(soil.position.size(), 200U);
 }
 
@@ -96,22 +100,22 @@ TEST(GenerateSoilTest, PointsOnAFaceCountInNearAndFarFromTheOrigin) {
   for (const double x : {0.0, 0.3, 7.1, 4.2e6, 4.2e6 + 0.7}) {
     const double right = x + 1.05;
     const Polygon polygon{{{x, 0}, {right, 0}, {right, 2}, {x, 2}}, {}};
-    EXPECT_EQ(fill(2, 0.1, {{0, polygon, {}}}).position.size(), 220U) << x;
+    EXPECT_EQ(fill(2, 0.1, {{.shape = polygon}}).position.size(), 220U) << x;
     const Box box{{x, 0, 0}, {right, 2, 0}};
-    EXPECT_EQ(fill(2, 0.1, {{0, box, {}}}).position.size(), 220U) << x;
+    EXPECT_EQ(fill(2, 0.1, {{.shape = box}}).position.size(), 220U) << x;
   }
 }
 
 TEST(GenerateSoilTest, SlopeHoldsItsAreaExactly) {
   // Every row of the face ends on a cell boundary (42 - 2y is a multiple of 0.25 m), so the rows
   // add up to the area of 445 m2 without the half-cell error that a face has in general.
-  const SoilPoints soil = fill(2, 0.25, {{0, Polygon{slope, {}}, {}}});
+  const SoilPoints soil = fill(2, 0.25, {{.shape = Polygon{slope}}});
   EXPECT_EQ(soil.position.size(), 7120U);
 }
 
 TEST(GenerateSoilTest, SlopeAtAnyShiftHoldsItsAreaWithinHalfACellPerRow) {
   for (const double spacing : {0.3, 0.41, 0.77}) {
-    const SoilPoints soil = fill(2, spacing, {{0, Polygon{slope, {}}, {}}});
+    const SoilPoints soil = fill(2, spacing, {{.shape = Polygon{slope}}});
     // Rows meet the face and the right wall, columns the crest and the toe: half a cell for each.
     const double bound = 0.5 * (15.0 + 15.0 + 45.0) / spacing + 4.0;
     EXPECT_NEAR(static_cast<double>(soil.position.size()), 445.0 / (spacing * spacing), bound);
@@ -121,8 +125,8 @@ TEST(GenerateSoilTest, SlopeAtAnyShiftHoldsItsAreaWithinHalfACellPerRow) {
 TEST(GenerateSoilTest, MirroredSlopeHoldsMirroredPoints) {
   auto mirrored = slope;
   for (auto& p : mirrored) p[0] = 45.0 - p[0];
-  SoilPoints both = fill(2, 0.25, {{0, Polygon{slope, {}}, {}}});
-  const SoilPoints other = fill(2, 0.25, {{0, Polygon{mirrored, {}}, {}}});
+  SoilPoints both = fill(2, 0.25, {{.shape = Polygon{slope}}});
+  const SoilPoints other = fill(2, 0.25, {{.shape = Polygon{mirrored}}});
   ASSERT_EQ(both.position.size(), other.position.size());
   both.position.insert(both.position.end(), other.position.begin(), other.position.end());
   expect_mirrored(both.position, 0.25, [](const Vec3& p) { return Vec3{45.0 - p[0], p[1], 0.0}; });
@@ -130,7 +134,7 @@ TEST(GenerateSoilTest, MirroredSlopeHoldsMirroredPoints) {
 
 TEST(GenerateSoilTest, FacesThroughLatticePointsAreSymmetric) {
   // Faces at 45 degrees pass exactly through lattice points; round-off must not choose a side.
-  const SoilPoints soil = fill(2, 0.1, {{0, Polygon{{{0, 0}, {6, 0}, {4, 2}, {2, 2}}, {}}, {}}});
+  const SoilPoints soil = fill(2, 0.1, {{.shape = Polygon{{{0, 0}, {6, 0}, {4, 2}, {2, 2}}}}});
   // Row k has 60 - 2k cells plus none lost: the points on the two faces count in.
   EXPECT_EQ(soil.position.size(), 820U);
   expect_mirrored(soil.position, 0.1, [](const Vec3& p) { return Vec3{6.0 - p[0], p[1], 0.0}; });
@@ -139,19 +143,19 @@ TEST(GenerateSoilTest, FacesThroughLatticePointsAreSymmetric) {
 TEST(GenerateSoilTest, ConcaveOutlineLeavesItsNotchEmpty) {
   const std::vector<std::array<double, 2>> notch = {{0, 0}, {3, 0}, {3, 3}, {2, 3},
                                                     {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-  const SoilPoints soil = fill(2, 0.5, {{0, Polygon{notch, {}}, {}}});
+  const SoilPoints soil = fill(2, 0.5, {{.shape = Polygon{notch}}});
   EXPECT_EQ(soil.position.size(), 28U);
   for (const Vec3& p : soil.position) EXPECT_FALSE(p[0] > 1 && p[0] < 2 && p[1] > 1);
 }
 
 TEST(GenerateSoilTest, BoxIn3DHoldsItsVolume) {
-  const SoilPoints soil = fill(3, 0.5, {{0, Box{{0, 0, 0}, {2, 3, 4}}, {}}});
+  const SoilPoints soil = fill(3, 0.5, {{.shape = Box{{0, 0, 0}, {2, 3, 4}}}});
   EXPECT_EQ(soil.position.size(), 4U * 6U * 8U);
 }
 
 TEST(GenerateSoilTest, ExtrudedOutlineLiesInXAndZ) {
-  const SoilPoints soil = fill(3, 0.5, {{0, Polygon{slope, {2.0, 4.0}}, {}}});
-  const SoilPoints section = fill(2, 0.5, {{0, Polygon{slope, {}}, {}}});
+  const SoilPoints soil = fill(3, 0.5, {{.shape = Polygon{slope, {2.0, 4.0}}}});
+  const SoilPoints section = fill(2, 0.5, {{.shape = Polygon{slope}}});
   EXPECT_EQ(soil.position.size(), 4U * section.position.size());
   for (const Vec3& p : soil.position) {
     EXPECT_GT(p[1], 2.0);
@@ -161,8 +165,8 @@ TEST(GenerateSoilTest, ExtrudedOutlineLiesInXAndZ) {
 }
 
 TEST(GenerateSoilTest, DiscAndRingHoldTheirAreaAndAreSymmetric) {
-  const SoilPoints disc = fill(2, 0.1, {{0, Cylinder{{1, 2, 0}, 3.0, 0.0, 0.0}, {}}});
-  const SoilPoints ring = fill(2, 0.1, {{0, Cylinder{{1, 2, 0}, 3.0, 2.0, 0.0}, {}}});
+  const SoilPoints disc = fill(2, 0.1, {{.shape = Cylinder{{1, 2, 0}, 3.0, 0.0, 0.0}}});
+  const SoilPoints ring = fill(2, 0.1, {{.shape = Cylinder{{1, 2, 0}, 3.0, 2.0, 0.0}}});
   // Lattice points in a circle of R/dx = 30 differ from its area by less than 2.2 sqrt(R/dx) < 1 %.
   EXPECT_NEAR(static_cast<double>(disc.position.size()), 900.0 * std::numbers::pi, 20.0);
   EXPECT_NEAR(static_cast<double>(ring.position.size()), 500.0 * std::numbers::pi, 40.0);
@@ -178,8 +182,8 @@ TEST(GenerateSoilTest, DiscAndRingHoldTheirAreaAndAreSymmetric) {
 }
 
 TEST(GenerateSoilTest, TubeStandsUpright) {
-  const SoilPoints tube = fill(3, 0.25, {{0, Cylinder{{0, 0, 1}, 2.0, 1.0, 2.0}, {}}});
-  const SoilPoints ring = fill(2, 0.25, {{0, Cylinder{{0, 0, 0}, 2.0, 1.0, 0.0}, {}}});
+  const SoilPoints tube = fill(3, 0.25, {{.shape = Cylinder{{0, 0, 1}, 2.0, 1.0, 2.0}}});
+  const SoilPoints ring = fill(2, 0.25, {{.shape = Cylinder{{0, 0, 0}, 2.0, 1.0, 0.0}}});
   EXPECT_EQ(tube.position.size(), 8U * ring.position.size());
   for (const Vec3& p : tube.position) EXPECT_TRUE(p[2] > 1.0 && p[2] < 3.0);
 }
@@ -187,9 +191,9 @@ TEST(GenerateSoilTest, TubeStandsUpright) {
 TEST(GenerateSoilTest, ProfilesAlongXAndYGiveTurnedBodies) {
   HeightField field{{0, 0}, {10, 10}, -1.0, HeightField::Kind::x_profile, {}, {}, ""};
   field.profile = {{2, 3}, {6, 1}};  // constant beyond its ends
-  const SoilPoints along_x = fill(3, 0.5, {{0, field, {}}});
+  const SoilPoints along_x = fill(3, 0.5, {{.shape = field}});
   field.kind = HeightField::Kind::y_profile;
-  const SoilPoints along_y = fill(3, 0.5, {{0, field, {}}});
+  const SoilPoints along_y = fill(3, 0.5, {{.shape = field}});
   // Area of the section: 2 x 4 + 4 x 3 + 4 x 2 m2; over 4 m the face, of gradient 1/2, shifts each
   // column by at most half a cell.
   EXPECT_NEAR(static_cast<double>(along_x.position.size()), 20.0 * 28.0 / 0.25, 20.0 * 0.5 * 8.0);
@@ -202,7 +206,7 @@ TEST(GenerateSoilTest, ProfilesAlongXAndYGiveTurnedBodies) {
 TEST(GenerateSoilTest, RadialProfileMakesACone) {
   HeightField field{{-4, -4}, {4, 4}, 0.0, HeightField::Kind::radial_profile, {0, 0}, {}, ""};
   field.profile = {{0, 4}, {4, 0}};
-  const SoilPoints cone = fill(3, 0.2, {{0, field, {}}});
+  const SoilPoints cone = fill(3, 0.2, {{.shape = field}});
   const double volume = static_cast<double>(cone.position.size()) * 0.008;
   // Each column of the plan disc errs by up to half a spacing.
   EXPECT_NEAR(volume, std::numbers::pi * 64.0 / 3.0, 0.1 * 16.0 * std::numbers::pi);
@@ -212,17 +216,17 @@ TEST(GenerateSoilTest, RadialProfileMakesACone) {
 TEST(GenerateSoilTest, ExpressionEqualsTheProfileItSpells) {
   HeightField profile{{0, 0}, {10, 10}, 0.0, HeightField::Kind::x_profile, {}, {}, ""};
   profile.profile = {{0, 5}, {10, 1}};
-  const SoilPoints wanted = fill(3, 0.5, {{0, profile, {}}});
-  const SoilPoints soil = fill(3, 0.5, {{0, expression("5 - 0.4*x"), {}}});
+  const SoilPoints wanted = fill(3, 0.5, {{.shape = profile}});
+  const SoilPoints soil = fill(3, 0.5, {{.shape = expression("5 - 0.4*x")}});
   EXPECT_EQ(soil.position, wanted.position);
   // x > y has to be told from y > x.
-  const SoilPoints step = fill(3, 0.5, {{0, expression("x > y ? 4 : 1"), {}}});
+  const SoilPoints step = fill(3, 0.5, {{.shape = expression("x > y ? 4 : 1")}});
   for (const Vec3& p : step.position) EXPECT_TRUE(p[2] < 1.0 || p[0] > p[1]);
 }
 
 TEST(GenerateSoilTest, SharedPointsBelongToTheFirstBody) {
-  const Body first{1, Box{{0, 0, 0}, {2, 2, 0}}, {1, 0, 0}};
-  const Body second{0, Box{{1, 0, 0}, {4, 2, 0}}, {0, 2, 0}};
+  const Body first{.shape = Box{{0, 0, 0}, {2, 2, 0}}, .material = "rock", .velocity = {1, 0, 0}};
+  const Body second{.shape = Box{{1, 0, 0}, {4, 2, 0}}, .velocity = {0, 2, 0}};
   const SoilPoints soil = fill(2, 0.5, {first, second});
   ASSERT_EQ(soil.position.size(), 32U);  // 16 + 24 - 8
   for (std::size_t i = 0; i < 32; ++i) {
@@ -232,8 +236,8 @@ TEST(GenerateSoilTest, SharedPointsBelongToTheFirstBody) {
 }
 
 TEST(GenerateSoilTest, BodyInTheMiddleOfAnotherSplitsItsColumns) {
-  const Body seam{1, Box{{0, 1, 0}, {4, 2, 0}}, {}};
-  const Body around{0, Box{{0, 0, 0}, {4, 4, 0}}, {}};
+  const Body seam{.shape = Box{{0, 1, 0}, {4, 2, 0}}, .material = "rock"};
+  const Body around{.shape = Box{{0, 0, 0}, {4, 4, 0}}};
   const SoilPoints soil = fill(2, 0.5, {seam, around});
   ASSERT_EQ(soil.position.size(), 64U);
   for (std::size_t i = 0; i < 64; ++i) {
@@ -243,14 +247,14 @@ TEST(GenerateSoilTest, BodyInTheMiddleOfAnotherSplitsItsColumns) {
 }
 
 TEST(GenerateSoilTest, LayersThatShareAnInclinedFaceLeaveNoGap) {
-  const Body lower{0, Polygon{{{0, 0}, {4, 0}, {4, 4}}, {}}, {}};
-  const Body upper{1, Polygon{{{0, 0}, {4, 4}, {0, 4}}, {}}, {}};
+  const Body lower{.shape = Polygon{{{0, 0}, {4, 0}, {4, 4}}}};
+  const Body upper{.shape = Polygon{{{0, 0}, {4, 4}, {0, 4}}}, .material = "rock"};
   EXPECT_EQ(fill(2, 0.5, {lower, upper}).position.size(), 64U);
 }
 
 TEST(GenerateSoilTest, EmptyBodyIsNamed) {
-  const Body big{0, Box{{0, 0, 0}, {2, 2, 0}}, {}};
-  const Body small{0, Box{{3.3, 0.3, 0}, {3.4, 0.4, 0}}, {}};
+  const Body big{.shape = Box{{0, 0, 0}, {2, 2, 0}}};
+  const Body small{.shape = Box{{3.3, 0.3, 0}, {3.4, 0.4, 0}}};
   const std::string message = error_of(scene_of(2, 0.5, {big, small}));
   EXPECT_NE(message.find("key 'body[1]' = box from (3.3, 0.3) to (3.4, 0.4): holds no particle at "
                          "spacing 0.5 m"),
@@ -259,21 +263,21 @@ TEST(GenerateSoilTest, EmptyBodyIsNamed) {
 }
 
 TEST(GenerateSoilTest, BodyInsideAnEarlierOneIsNamed) {
-  const Body big{0, Box{{0, 0, 0}, {2, 2, 0}}, {}};
-  const Body inner{0, Box{{0.5, 0.5, 0}, {1.5, 1.5, 0}}, {}};
+  const Body big{.shape = Box{{0, 0, 0}, {2, 2, 0}}};
+  const Body inner{.shape = Box{{0.5, 0.5, 0}, {1.5, 1.5, 0}}};
   const std::string message = error_of(scene_of(2, 0.5, {big, inner}));
   EXPECT_NE(message.find("key 'body[1]' = "), std::string::npos) << message;
   EXPECT_NE(message.find("wholly inside"), std::string::npos) << message;
 }
 
 TEST(GenerateSoilTest, WrongExpressionIsQuotedWithItsPlace) {
-  const std::string message = error_of(scene_of(3, 0.5, {{0, expression("x + depth"), {}}}));
+  const std::string message = error_of(scene_of(3, 0.5, {{.shape = expression("x + depth")}}));
   EXPECT_NE(message.find("\"x + depth\" at letter 5"), std::string::npos) << message;
   EXPECT_NE(message.find("depth"), std::string::npos) << message;
 }
 
 TEST(GenerateSoilTest, VelocityFieldIsEvaluatedAtEveryParticle) {
-  Body turning{0, Box{{0, 0, 0}, {2, 1, 0}}, {}};
+  Body turning{.shape = Box{{0, 0, 0}, {2, 1, 0}}};
   turning.velocity_field = {"-2*pi*y", "x^2"};
   const SoilPoints soil = generate_soil(scene_of(2, 0.5, {turning}));
   ASSERT_EQ(soil.position.size(), 8u);
@@ -285,41 +289,43 @@ TEST(GenerateSoilTest, VelocityFieldIsEvaluatedAtEveryParticle) {
 }
 
 TEST(GenerateSoilTest, VelocityThatIsNotFiniteIsPlaced) {
-  Body body{0, Box{{0, 0, 0}, {2, 1, 0}}, {}};
+  Body body{.shape = Box{{0, 0, 0}, {2, 1, 0}}};
   body.velocity_field = {"1/(x - 0.25)", "0"};
   EXPECT_NE(error_of(scene_of(2, 0.5, {body})).find("not finite at x = 0.25"), std::string::npos);
 }
 
 TEST(GenerateSoilTest, HeightThatIsNotFiniteIsPlaced) {
-  const std::string message = error_of(scene_of(3, 0.5, {{0, expression("1/(x - 0.25)"), {}}}));
+  const std::string message = error_of(scene_of(3, 0.5, {{.shape = expression("1/(x - 0.25)")}}));
   EXPECT_NE(message.find("x = 0.25, y = 0.25 is inf"), std::string::npos) << message;
-  EXPECT_NE(error_of(scene_of(3, 0.5, {{0, expression("sqrt(-x)"), {}}})).find("nan"),
+  EXPECT_NE(error_of(scene_of(3, 0.5, {{.shape = expression("sqrt(-x)")}})).find("nan"),
             std::string::npos);
-  EXPECT_NE(error_of(scene_of(3, 0.5, {{0, expression("exp(100*x)"), {}}})).find("finite"),
+  EXPECT_NE(error_of(scene_of(3, 0.5, {{.shape = expression("exp(100*x)")}})).find("finite"),
             std::string::npos);
 }
 
 TEST(GenerateSoilTest, TooSmallASpacingIsRefusedBeforeMemoryIsTaken) {
   for (const double spacing : {1e-5, 1e-9}) {
-    const std::string flat = error_of(scene_of(2, spacing, {{0, Polygon{slope, {}}, {}}}));
+    const std::string flat = error_of(scene_of(2, spacing, {{.shape = Polygon{slope}}}));
     EXPECT_NE(flat.find("particles at spacing"), std::string::npos) << flat;
-    const std::string solid = error_of(scene_of(3, spacing, {{0, Box{{0, 0, 0}, {9, 9, 9}}, {}}}));
+    const std::string solid =
+        error_of(scene_of(3, spacing, {{.shape = Box{{0, 0, 0}, {9, 9, 9}}}}));
     EXPECT_NE(solid.find("memory"), std::string::npos) << solid;
   }
 }
 
 TEST(EstimateParticlesTest, IsExactWhereColumnsAreFewAndNearWhereTheyAreMany) {
-  Scene scene =
-      scene_of(2, 0.25, {{1, Box{{2, 2, 0}, {6, 4, 0}}, {}}, {0, Polygon{slope, {}}, {}}});
+  Scene scene = scene_of(
+      2, 0.25,
+      {{.shape = Box{{2, 2, 0}, {6, 4, 0}}, .material = "rock"}, {.shape = Polygon{slope}}});
   scene.materials.resize(3);
   const SoilPoints soil = generate_soil(scene);
   std::vector<double> counted(3, 0.0);
   for (const std::size_t material : soil.material) ++counted[material];
   EXPECT_EQ(estimate_particles(scene), counted);
   // 400,000 columns, and then more than any machine holds: half of width times height over dx^2.
-  scene.bodies = {{0, Polygon{{{0, 0}, {32, 0}, {1e5, 10}, {0, 10}}, {}}, {}}};
+  scene.bodies = {{.shape = Polygon{{{0, 0}, {32, 0}, {1e5, 10}, {0, 10}}}}};
   EXPECT_NEAR(estimate_particles(scene)[0], 0.5 * (1e5 + 32) * 10 / 0.0625, 1e4);
-  scene.bodies = {{0, Box{{0, 0, 0}, {1e9, 1e9, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1e9, 1e9, 0}}}};
   EXPECT_NEAR(estimate_particles(scene)[0], 1.6e19, 1e15);
 }
 
@@ -331,7 +337,8 @@ TEST(GenerateSoilTest, MoreThanUlimitLetsARunHoldAreRefused) {
   rlimit lower = before;
   lower.rlim_cur = 600'000'000;
   ASSERT_EQ(setrlimit(RLIMIT_DATA, &lower), 0);
-  const std::string error = error_of(scene_of(2, 1.0, {{0, Box{{0, 0, 0}, {1000, 1000, 0}}, {}}}));
+  const std::string error =
+      error_of(scene_of(2, 1.0, {{.shape = Box{{0, 0, 0}, {1000, 1000, 0}}}}));
   ASSERT_EQ(setrlimit(RLIMIT_DATA, &before), 0);
   EXPECT_NE(error.find("the 0.6 GB of memory that this process may use"), std::string::npos)
       << error;

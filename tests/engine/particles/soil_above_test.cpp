@@ -14,6 +14,8 @@ namespace {
 
 constexpr double g = 9.81;
 
+std::string name_of(std::size_t material) { return "soil " + std::to_string(material); }
+
 Scene scene_of(int dimension, double spacing, const std::vector<double>& densities,
                std::vector<Body> bodies) {
   Scene scene;
@@ -21,14 +23,15 @@ Scene scene_of(int dimension, double spacing, const std::vector<double>& densiti
   scene.spacing = spacing;
   scene.gravity = dimension == 2 ? Vec3{0.0, -g, 0.0} : Vec3{0.0, 0.0, -g};
   for (const double density : densities) {
-    scene.materials.push_back({"soil", "linear_elastic", density, {20e6, 0.3}});
+    scene.materials.push_back(
+        {name_of(scene.materials.size()), "linear_elastic", density, {20e6, 0.3}});
   }
   scene.bodies = std::move(bodies);
   return scene;
 }
 
 Body box(std::size_t material, const Vec3& minimum, const Vec3& maximum) {
-  return {material, Box{minimum, maximum}, {}};
+  return {.shape = Box{minimum, maximum}, .material = name_of(material)};
 }
 
 /// Calls check(position, above) for each particle.
@@ -42,7 +45,7 @@ void for_each(const Scene& scene, Check&& check) {
 
 TEST(SoilAboveTest, InOneSoilIsItsDepth) {
   const Polygon slope{{{0, 0}, {45, 0}, {45, 5}, {32, 5}, {12, 15}, {0, 15}}, {}};
-  for_each(scene_of(2, 0.25, {2000.0}, {{0, slope, {}}}), [](const Vec3& x, const SoilAbove& a) {
+  for_each(scene_of(2, 0.25, {2000.0}, {{.shape = slope}}), [](const Vec3& x, const SoilAbove& a) {
     const double surface = std::clamp(0.5 * (42.0 - x[0]), 5.0, 15.0);
     // The top particle stands for the surface to half a spacing.
     EXPECT_NEAR(a.thickness, surface - x[1], 0.125 + 1e-12);
@@ -107,7 +110,7 @@ TEST(SoilAboveTest, WhatHangsInTheAirCarriesNothingOntoWhatLiesBelow) {
 TEST(SoilAboveTest, AnOverhangCarriesItsOwnColumn) {
   // A niche 4 m deep and 2 m high under a roof that hangs on the wall behind.
   const Polygon cliff{{{0, 0}, {10, 0}, {10, 3}, {6, 3}, {6, 5}, {10, 5}, {10, 8}, {0, 8}}, {}};
-  for_each(scene_of(2, 0.5, {2000.0}, {{0, cliff, {}}}), [](const Vec3& x, const SoilAbove& a) {
+  for_each(scene_of(2, 0.5, {2000.0}, {{.shape = cliff}}), [](const Vec3& x, const SoilAbove& a) {
     const double top = x[0] > 6.0 && x[1] < 4.0 ? 3.0 : 8.0;
     EXPECT_NEAR(a.pressure, 2000.0 * g * (top - x[1]), 1e-8);
   });
@@ -116,7 +119,8 @@ TEST(SoilAboveTest, AnOverhangCarriesItsOwnColumn) {
 TEST(SoilAboveTest, AHeightFieldOverRockIn3D) {
   HeightField field{{0, 0}, {8, 3}, 2.0, HeightField::Kind::x_profile, {}, {{0, 6}, {8, 6}}, {}};
   const Scene scene =
-      scene_of(3, 0.5, {1900.0, 2600.0}, {box(1, {0, 0, 0}, {8, 3, 2}), {0, field, {}}});
+      scene_of(3, 0.5, {1900.0, 2600.0},
+               {box(1, {0, 0, 0}, {8, 3, 2}), {.shape = field, .material = name_of(0)}});
   for_each(scene, [](const Vec3& x, const SoilAbove& a) {
     const double expected =
         g * (1900.0 * (6.0 - std::max(x[2], 2.0)) + 2600.0 * (2.0 - std::min(x[2], 2.0)));
@@ -161,7 +165,7 @@ TEST(SoilAboveTest, ASceneTurnedWithItsGravityKeepsItsWeights) {
     return std::array<double, 2>{c * x - s * y, s * x + c * y};
   };
   const Polygon block{{turned(0, 0), turned(8, 0), turned(8, 6), turned(4, 6), turned(0, 4)}, {}};
-  Scene scene = scene_of(2, dx, {2000.0}, {{0, block, {}}});
+  Scene scene = scene_of(2, dx, {2000.0}, {{.shape = block}});
   scene.gravity = {s * g, -c * g, 0.0};
   for_each(scene, [&](const Vec3& x, const SoilAbove& a) {
     const double across = c * x[0] + s * x[1], up = -s * x[0] + c * x[1];
@@ -186,7 +190,7 @@ TEST(SoilAboveTest, AHeightThatCannotBeFoundOnARayIsAnError) {
   // Finite at the lattice's points, at x = 0.25, 0.75 ..., but not in between.
   HeightField field{{0, 0}, {4, 4}, 0.0, HeightField::Kind::expression, {}, {}, {}};
   field.expression = "abs(rint(2*x - 0.5) - (2*x - 0.5)) < 0.01 ? 3 : 1/0";
-  Scene scene = scene_of(3, 0.5, {2000.0}, {{0, field, {}}});
+  Scene scene = scene_of(3, 0.5, {2000.0}, {{.shape = field}});
   const SoilPoints soil = generate_soil(scene);
   scene.gravity = {3.0, 0.0, -9.0};
   EXPECT_THROW(soil_above(scene, soil, 2), SceneError);

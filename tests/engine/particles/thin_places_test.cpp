@@ -21,14 +21,17 @@ Scene plane(std::vector<Body> bodies) {
   scene.spacing = 0.1;
   scene.materials = {elastic(), clay()};
   scene.bodies = std::move(bodies);
+  for (Body& body : scene.bodies) {
+    if (body.material.empty()) body.material = "elastic";
+  }
   return scene;
 }
 
-Body outline(Outline points, std::size_t material = 0) {
-  return {material, Polygon{std::move(points), {}}, {}};
+Body outline(Outline points, const std::string& material = "elastic") {
+  return {.shape = Polygon{std::move(points)}, .material = material};
 }
-Body box(double x0, double y0, double x1, double y1, std::size_t material = 0) {
-  return {material, Box{{x0, y0, 0}, {x1, y1, 0}}, {}};
+Body box(double x0, double y0, double x1, double y1, const std::string& material = "elastic") {
+  return {.shape = Box{{x0, y0, 0}, {x1, y1, 0}}, .material = material};
 }
 
 Outline turned(Outline points, double degrees) {
@@ -85,19 +88,19 @@ TEST(ThinPlacesTest, LayersOfFewerThanTwoRowsAreNamed) {
     const double low = 1.0, high = 1.0 + thickness;
     const std::vector<Scene> scenes{
         // A seam that a strong block covers, one between two blocks, an upright one, a slanted one.
-        plane({box(0, low, 4, high, 1), box(0, 0, 4, 3)}),
-        plane({box(0, 0, 4, low), box(0, low, 4, high, 1), box(0, high, 4, 3)}),
-        plane({box(low, 0, high, 4, 1), box(0, 0, 3, 4)}),
-        plane({outline(turned({{-1, low}, {5, low}, {5, high}, {-1, high}}, 30), 1),
+        plane({box(0, low, 4, high, "clay"), box(0, 0, 4, 3)}),
+        plane({box(0, 0, 4, low), box(0, low, 4, high, "clay"), box(0, high, 4, 3)}),
+        plane({box(low, 0, high, 4, "clay"), box(0, 0, 3, 4)}),
+        plane({outline(turned({{-1, low}, {5, low}, {5, high}, {-1, high}}, 30), "clay"),
                outline(turned({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, 30))})};
     for (const Scene& scene : scenes)
       EXPECT_TRUE(names(scene, "material 'clay': the layer of body[")) << thickness;
   }
-  EXPECT_TRUE(silent(plane({box(0, 1, 4, 1.2, 1), box(0, 0, 4, 3)})));
+  EXPECT_TRUE(silent(plane({box(0, 1, 4, 1.2, "clay"), box(0, 0, 4, 3)})));
   // The same soil in two pieces is one.
   EXPECT_TRUE(silent(plane({box(0, 1, 4, 1.1), box(0, 0, 4, 3)})));
   // What an earlier body leaves of a later one.
-  EXPECT_TRUE(names(plane({box(0, 0, 4, 1, 1), box(0, 0, 4, 1.1)}), "the layer of body[1]"));
+  EXPECT_TRUE(names(plane({box(0, 0, 4, 1, "clay"), box(0, 0, 4, 1.1)}), "the layer of body[1]"));
 }
 
 TEST(ThinPlacesTest, GapsBetweenBodiesAreNamedBodiesThatTouchAreNot) {
@@ -118,7 +121,7 @@ TEST(ThinPlacesTest, HolesAndLensesSmallerThanTwoSpacingsAreNamed) {
   EXPECT_TRUE(names(plane({outline(holed(0.03))}), "the hole at (1.015, 1.015)"));
   EXPECT_TRUE(names(plane({outline(holed(0.12))}), "the hole at"));
   EXPECT_TRUE(silent(plane({outline(holed(0.3))})));
-  EXPECT_TRUE(names(plane({box(1, 1, 1.1, 1.1, 1), box(0, 0, 3, 3)}), "material 'clay'"));
+  EXPECT_TRUE(names(plane({box(1, 1, 1.1, 1.1, "clay"), box(0, 0, 3, 3)}), "material 'clay'"));
 }
 
 TEST(ThinPlacesTest, NaturalTapersAreNotNamedFlatWedgesAre) {
@@ -136,8 +139,8 @@ TEST(ThinPlacesTest, NaturalTapersAreNotNamedFlatWedgesAre) {
   };
   EXPECT_TRUE(silent(plane({outline(notch(1.0))})));
   EXPECT_TRUE(names(plane({outline(notch(0.1))}), "the gap at"));
-  EXPECT_TRUE(silent(plane({{0, Cylinder{{0, 0, 0}, 1.0}, {}}})));
-  EXPECT_TRUE(names(plane({{0, Cylinder{{0, 0, 0}, 1.0, 0.85}, {}}}), "the layer of body[0]"));
+  EXPECT_TRUE(silent(plane({{.shape = Cylinder{{0, 0, 0}, 1.0}}})));
+  EXPECT_TRUE(names(plane({{.shape = Cylinder{{0, 0, 0}, 1.0, 0.85}}}), "the layer of body[0]"));
 }
 
 TEST(ThinPlacesTest, ThreeDimensionsAreCutAlongEveryAxis) {
@@ -147,22 +150,24 @@ TEST(ThinPlacesTest, ThreeDimensionsAreCutAlongEveryAxis) {
     scene.gravity = {0, 0, -9.81};
     return scene;
   };
-  const Body block{0, Box{{0, 0, 0}, {1, 1, 1}}, {}};
+  const Body block{.shape = Box{{0, 0, 0}, {1, 1, 1}}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Box beside{{0, 0, 0}, {1, 1, 1}};
     beside.minimum[axis] = 1.05;
     beside.maximum[axis] = 2.0;
-    EXPECT_TRUE(names(solid({block, {0, beside, {}}}), "between body[0] and body[1]")) << axis;
+    EXPECT_TRUE(names(solid({block, {.shape = beside}}), "between body[0] and body[1]")) << axis;
   }
   EXPECT_TRUE(silent(solid({block})));
-  EXPECT_TRUE(names(solid({{0, Polygon{cracked(0.05), {0.0, 1.0}}, {}}}), "the gap at"));
-  EXPECT_TRUE(names(solid({{0, Cylinder{{0, 0, 0}, 1.0, 0.9, 1.0}, {}}}), "the layer of body[0]"));
-  EXPECT_TRUE(silent(solid({{0, Cylinder{{0, 0, 0}, 1.0, 0.0, 1.0}, {}}})));
+  EXPECT_TRUE(names(solid({{.shape = Polygon{cracked(0.05), {0.0, 1.0}}}}), "the gap at"));
+  EXPECT_TRUE(
+      names(solid({{.shape = Cylinder{{0, 0, 0}, 1.0, 0.9, 1.0}}}), "the layer of body[0]"));
+  EXPECT_TRUE(silent(solid({{.shape = Cylinder{{0, 0, 0}, 1.0, 0.0, 1.0}}})));
   HeightField cover{{0, 0}, {2, 2}, 1.0, HeightField::Kind::expression, {}, {}, "1.1 + 0.01*x"};
-  const Body rock{0, Box{{0, 0, 0}, {2, 2, 1}}, {}};
-  EXPECT_TRUE(names(solid({rock, {1, cover, {}}}), "material 'clay': the layer of body[1]"));
+  const Body rock{.shape = Box{{0, 0, 0}, {2, 2, 1}}};
+  EXPECT_TRUE(names(solid({rock, {.shape = cover, .material = "clay"}}),
+                    "material 'clay': the layer of body[1]"));
   cover.expression = "1.5 + 0.5*x";
-  EXPECT_TRUE(silent(solid({rock, {1, cover, {}}})));
+  EXPECT_TRUE(silent(solid({rock, {.shape = cover, .material = "clay"}})));
 }
 
 TEST(ThinPlacesTest, ScenesOfTheValidationHaveNone) {

@@ -92,7 +92,7 @@ TEST(FreeBlockTest, ConservesMomentum) {
 TEST(MirrorTest, HalfABodyBehindAFreeSlipPlaneMovesAsTheWhole) {
   const auto scene_of = [](double left, bool mirrored) {
     Scene scene = elastic_column("modern", 1.0, 0.1);
-    scene.bodies = {{0, Box{{left, 0, 0}, {1, 1, 0}}, {}}};
+    scene.bodies = {{.shape = Box{{left, 0, 0}, {1, 1, 0}}}};
     scene.walls = {wall_of("base", WallKind::no_slip, {facet_2d(-2, 0, 2, 0)})};
     if (mirrored)
       scene.walls.push_back(wall_of("plane", WallKind::free_slip, {facet_2d(0, 2, 0, 0)}));

@@ -25,7 +25,8 @@ Scene thrown_grain(const std::string& preset_name, const Throw& thrown) {
   scene.numerics = preset(preset_name);
   scene.materials = {
       {"sand", "drucker_prager", 2000.0, {thrown.youngs_modulus, 0.3, 0.0, 0.52, 0.0, 0.0}}};
-  scene.bodies = {{0, Box{{0, 0.2, 0}, {0.1, 0.3, 0}}, {1.0, -thrown.speed, 0.0}}};
+  scene.bodies = {
+      {.shape = Box{{0, 0.2, 0}, {0.1, 0.3, 0}}, .velocity = {1.0, -thrown.speed, 0.0}}};
   scene.walls = {wall_of("floor", WallKind::no_slip, {facet_2d(-10, 0, 10, 0)})};
   scene.stages = {stage_for("fall", 2.0)};
   return scene;
@@ -68,7 +69,7 @@ Scene turned_trough(const char* preset_name, int dimension, double angle) {
   scene.numerics = preset(preset_name);
   scene.materials = {elastic(1e6)};
   Polygon outline{{at(0, 0), at(1, 0), at(1, 0.8), at(0, 0.8)}, {0.0, 0.3}};
-  scene.bodies = {{0, outline, {}}};
+  scene.bodies = {{.shape = outline}};
   const std::array<std::array<double, 2>, 4> corners{at(0, 1), at(0, 0), at(1, 0), at(1, 1)};
   const char* names[]{"left", "base", "right"};
   for (std::size_t k = 0; k < 3; ++k) {

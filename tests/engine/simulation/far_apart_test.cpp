@@ -13,7 +13,7 @@ namespace {
 constexpr int across = 7;  ///< particles of a block, which is no multiple of a cluster
 
 Body block_at(double x, double y, double z, int dimension, double size = across) {
-  return {0, Box{{x, y, z}, {x + size, y + size, dimension == 2 ? 0.0 : z + size}}, {}};
+  return {.shape = Box{{x, y, z}, {x + size, y + size, dimension == 2 ? 0.0 : z + size}}};
 }
 
 Scene blocks(int dimension, std::vector<Body> bodies) {

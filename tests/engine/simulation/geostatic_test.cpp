@@ -13,8 +13,8 @@ namespace {
 
 constexpr double g = 9.81;
 
-Body box(std::size_t material, const Vec3& minimum, const Vec3& maximum) {
-  return {material, Box{minimum, maximum}, {}};
+Body box(const std::string& material, const Vec3& minimum, const Vec3& maximum) {
+  return {.shape = Box{minimum, maximum}, .material = material};
 }
 
 /// Smooth sides from (0, 0) to (width, height) on a base.
@@ -35,7 +35,7 @@ TEST(GeostaticTest, LightSoilOverHeavyRockStaysAtRest) {
   scene.spacing = 0.5;
   scene.materials = {{"peat", "linear_elastic", 1000.0, {20e6, 0.3}},
                      {"rock", "linear_elastic", 2600.0, {20e6, 0.3}}};
-  scene.bodies = {box(0, {0, 5, 0}, {4, 10, 0}), box(1, {0, 0, 0}, {4, 5, 0})};
+  scene.bodies = {box("peat", {0, 5, 0}, {4, 10, 0}), box("rock", {0, 0, 0}, {4, 5, 0})};
   scene.walls = bin(4, 14, WallKind::no_slip);
   scene.initial_stress = InitialStress::geostatic;
   scene.stages = {stage_for("wait", 0.5)};  // 8 passages of a wave
@@ -69,7 +69,7 @@ TEST(GeostaticTest, AHangingBoulderDoesNotThrowTheBedUp) {
   scene.spacing = 0.2;
   scene.materials = {{"soil", "drucker_prager", 2000.0, {20e6, 0.3, 5e3, 0.5236, 0.0, 0.0}},
                      {"boulder", "linear_elastic", 2600.0, {20e6, 0.3}}};
-  scene.bodies = {box(0, {0, 0, 0}, {6, 1, 0}), box(1, {2.4, 11, 0}, {3.6, 12, 0})};
+  scene.bodies = {box("soil", {0, 0, 0}, {6, 1, 0}), box("boulder", {2.4, 11, 0}, {3.6, 12, 0})};
   scene.walls = bin(6, 14, WallKind::no_slip);
   scene.initial_stress = InitialStress::geostatic;
   scene.stages = {stage_for("fall", 0.1)};
@@ -101,7 +101,7 @@ TEST(GeostaticTest, ABlockOnAShelfAboveDoesNotSlowTheSettlingDown) {
   Scene scene;
   scene.spacing = 0.25;
   scene.materials = {{"soil", "linear_elastic", 2000.0, {20e6, 0.3}}};
-  scene.bodies = {box(0, {0, 0, 0}, {2, 1, 0}), box(0, {0, 100, 0}, {2, 101, 0})};
+  scene.bodies = {box("soil", {0, 0, 0}, {2, 1, 0}), box("soil", {0, 100, 0}, {2, 101, 0})};
   scene.walls = bin(2, 2, WallKind::no_slip);
   scene.walls.push_back(wall_of("shelf", WallKind::no_slip, {facet_2d(0, 100, 2, 100)}));
   scene.walls.push_back(wall_of("shelf sides", WallKind::free_slip,
@@ -147,8 +147,8 @@ TEST(GeostaticTest, ASettledStackOfLayersKeepsTheK0OfEach) {
     scene.materials = {{"peat", "drucker_prager", 1000.0, {5e6, 0.3, 50e3, 0.6, 0.0, 0.0}, 0.6},
                        {"clay", "drucker_prager", 2000.0, {20e6, 0.4, 50e3, 0.6, 0.0, 0.0}, 1.0},
                        {"rock", "linear_elastic", 2600.0, {100e6, 0.25}}};
-    scene.bodies = {box(0, {0, 2, 0}, {1, 3, 0}), box(1, {0, 1, 0}, {1, 2, 0}),
-                    box(2, {0, 0, 0}, {1, 1, 0})};
+    scene.bodies = {box("peat", {0, 2, 0}, {1, 3, 0}), box("clay", {0, 1, 0}, {1, 2, 0}),
+                    box("rock", {0, 0, 0}, {1, 1, 0})};
     scene.walls = bin(1, 4, base);
     scene.initial_stress = InitialStress::geostatic;
     scene.initial_k0 = 0.45;  // of the rock, which has none of its own
@@ -168,7 +168,7 @@ Scene sand_bin(double cohesion, double k0) {
   Scene scene;
   scene.spacing = 0.125;
   scene.materials = {{"sand", "drucker_prager", 1800.0, {20e6, 0.3, cohesion, 0.5236, 0, 0}, k0}};
-  scene.bodies = {box(0, {0, 0, 0}, {1, 2, 0})};
+  scene.bodies = {box("sand", {0, 0, 0}, {1, 2, 0})};
   scene.walls = bin(1, 3, WallKind::free_slip);
   scene.initial_stress = InitialStress::geostatic;
   scene.stages = {until_rest(), stage_for("after", 0.001)};

@@ -32,7 +32,7 @@ Scene grain(const Vec3& at, const Vec3& velocity, std::vector<Facet> faces, doub
   scene.spacing = dx;
   scene.numerics = preset("modern");
   scene.materials = {sand()};
-  scene.bodies = {{0, Box{at, {at[0] + dx, at[1] + dx, 0}}, velocity}};
+  scene.bodies = {{.shape = Box{at, {at[0] + dx, at[1] + dx, 0}}, .velocity = velocity}};
   scene.walls = {wall_of("floor", WallKind::no_slip, std::move(faces))};
   scene.stages = {stage_for("fall", duration)};
   return scene;
@@ -78,7 +78,7 @@ TEST(LostSoilTest, GrainsThatFallThroughAHoleAreCounted) {
 TEST(LostSoilTest, LostGrainsDoNotKeepTheRestFromRest) {
   Scene scene = leaking_box(0.0);
   // A grain of its own, below the base.
-  scene.bodies.push_back({0, Box{{0.41, -0.49, 0}, {0.49, -0.41, 0}}, {}});
+  scene.bodies.push_back({.shape = Box{{0.41, -0.49, 0}, {0.49, -0.41, 0}}});
   scene.stages[0].until = StageEnd::rest;
   scene.stages[0].duration = 20.0;
   scene.stages[0].damping = 20.0;

@@ -51,7 +51,7 @@ TEST(PeersTest, ARoughBaseFeedsNoWaves) {  // once grew from round-off to 6 cm/s
   scene.spacing = 0.5;
   scene.numerics = preset("modern");
   scene.materials = {clay()};
-  scene.bodies = {{0, Box{{0, 0, 0}, {5, 4, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {5, 4, 0}}}};
   scene.walls = {
       wall_of("base", WallKind::no_slip, {facet_2d(0, 0, 5, 0)}),
       wall_of("sides", WallKind::free_slip, {facet_2d(5, 0, 5, 9), facet_2d(0, 9, 0, 0)})};

@@ -122,7 +122,8 @@ TEST(StepLimitTest, TheStiffestMaterialSetsTheStep) {
   const double alone = run_steps(scene, 1).last_step().time_step;
   scene.materials.push_back(elastic(1e4 * 10e6));
   scene.materials.back().name = "stiff";
-  scene.bodies = {{1, Box{{0, 0, 0}, {1, 1, 0}}, {}}, {0, Box{{0, 1, 0}, {1, 2, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 1, 0}}, .material = "stiff"},
+                  {.shape = Box{{0, 1, 0}, {1, 2, 0}}, .material = "elastic"}};
   const StepReport last = run_steps(scene, 1).last_step();
   EXPECT_EQ(last.signal_material, 1u);
   EXPECT_NEAR(last.time_step, alone / 100.0, 1e-9 * alone);
@@ -137,7 +138,8 @@ Settled settled(double ground) {
   Scene scene = elastic_column("modern", 2.0, 0.1);
   scene.materials.push_back(elastic(ground));
   scene.materials.back().name = "ground";
-  scene.bodies = {{1, Box{{0, 0, 0}, {1, 1, 0}}, {}}, {0, Box{{0, 1, 0}, {1, 2, 0}}, {}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 1, 0}}, .material = "ground"},
+                  {.shape = Box{{0, 1, 0}, {1, 2, 0}}, .material = "elastic"}};
   scene.stages[0] = stage_for("settle", 0.3);
   scene.stages[0].damping = 60.0;
   Probe top;

@@ -161,7 +161,7 @@ TEST(WatchTest, ALongFallIsNoInstability) {
 TEST(HandledTest, ALoneGrainFallsFreely) {
   for (const char* preset_name : {"paper", "modern"}) {
     Scene scene = small_slope(preset_name, 1.0, 1.0, 1.0);
-    scene.bodies = {{0, Box{{10, 50, 0}, {11, 51, 0}}, {}}};
+    scene.bodies = {{.shape = Box{{10, 50, 0}, {11, 51, 0}}}};
     scene.probes.clear();
     scene.stages = {stage_for("fall", 2.0)};
     Simulation simulation(scene, {1, {}});
@@ -204,6 +204,7 @@ bool warns(const Scene& scene, const std::string& words) {
 TEST(HandledTest, AMaterialWithoutBodyIsNamedAndHarmless) {
   Scene scene = small_slope("modern", 0.05, 0.05, 1.0);
   EXPECT_FALSE(warns(scene, "no body is made of it"));
+  scene.bodies.front().material = scene.materials.front().name;
   scene.materials.push_back(elastic(1e12));  // would make the step 100 times shorter
   EXPECT_TRUE(warns(scene, "'elastic': no body is made of it"));
   EXPECT_GT(run_steps(scene, 20).last_step().time_step, 1e-3);

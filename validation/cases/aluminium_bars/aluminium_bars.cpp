@@ -90,7 +90,7 @@ Deposit measure(const Simulation& fallen) {
 Deposit collapse(CaseRun& run, const std::string& name, Simulation& simulation, RunWriter* writer) {
   const Scene& scene = simulation.scene();
   const double height = std::get<Box>(scene.bodies.front().shape).maximum[1];
-  const double late = scene.stages.back().duration - std::sqrt(height / -scene.gravity[1]);
+  const double late = scene.stages.back().duration.value() - std::sqrt(height / -scene.gravity[1]);
   std::optional<double> before;
   run.run_stage(name + ", settle", simulation, writer);
   run.run_stage(name, simulation, writer, [&](const Simulation& now) {

@@ -25,7 +25,7 @@ struct ShearedLayer {
     height = std::get<Box>(scene.bodies.front().shape).maximum[1];
     speed = scene.walls[1].velocity[0];
     shear_modulus = soil.parameters[0] / (2.0 * (1.0 + soil.parameters[1]));
-    damping = scene.stages.front().damping;
+    damping = scene.stages.front().damping.value();
     wave_speed = std::sqrt(shear_modulus / soil.density);
   }
   double displacement(double y) const {

@@ -132,7 +132,7 @@ void measure_deposit(const Simulation& fallen, const std::vector<double>& start,
   values["energy left open over potential drop [-]"] = energy.imbalance / -energy.potential;
   values["plastic work over potential drop [-]"] = energy.plastic / -energy.potential;
   const StepReport& last = fallen.last_step();
-  const double limit = fallen.scene().stages.back().duration;
+  const double limit = fallen.scene().stages.back().duration.value();
   values["time to rest [s]"] = last.stage_time < limit ? last.stage_time : std::nan("");
   values["residual velocity [m/s]"] = fallen.last_step().max_velocity;
   values["particles [-]"] = static_cast<double>(fallen.soil_count());

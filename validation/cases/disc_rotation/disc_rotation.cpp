@@ -144,7 +144,7 @@ Outcome turned(CaseRun& run, const std::string& name, const Scene& scene,
   simulation.emplace(scene, run.options().run);
   const Motion start(*simulation);
   const double first_energy = simulation->energy().kinetic;
-  const double end = scene.stages.front().duration;
+  const double end = scene.stages.front().duration.value();
   CorotatedMean first, last;
   std::optional<Motion> after_turn;
   Outcome outcome;

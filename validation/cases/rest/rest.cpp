@@ -84,7 +84,7 @@ AtRest rest_of(CaseRun& run, const std::string& name, Simulation& simulation) {
   AtRest at;
   run.run_stage(name + ", settle", simulation);
   at.settled = simulation.stage_reached_rest();
-  const double half = 0.5 * simulation.scene().stages[1].duration;
+  const double half = 0.5 * simulation.scene().stages[1].duration.value();
   run.run_stage(name + ", stand", simulation, nullptr, [&](const Simulation& now) {
     if (now.last_step().stage_time > half)
       at.fastest = std::fmax(at.fastest, now.last_step().max_velocity);

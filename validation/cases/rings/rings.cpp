@@ -65,7 +65,7 @@ Outcome bounce(CaseRun& run, const std::string& name, const Scene& scene,
   simulation.emplace(scene, run.options().run);
   const NewSurface surface(*simulation);
   const std::array<double, 2> before = ring_speeds(*simulation);
-  const double kinetic = simulation->energy().kinetic, end = scene.stages.front().duration;
+  const double kinetic = simulation->energy().kinetic, end = scene.stages.front().duration.value();
   const Cylinder& ring = std::get<Cylinder>(scene.bodies.front().shape);
   // Two faces, each half as long as the ring is thick.
   const double crack = (ring.radius - ring.inner_radius) / scene.spacing;

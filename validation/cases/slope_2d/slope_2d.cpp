@@ -222,7 +222,8 @@ std::vector<PlannedRun> slope_2d_runs(const CaseRun& run) {
   // the longer forms two more slides.
   const double slide = cli::total_duration(scene), window = 9.1;
   return {{"all strengths", scene,
-           slide + 5.0 * window + (run.short_form() ? 0.0 : 2.0 * scene.stages.back().duration)}};
+           slide + 5.0 * window +
+               (run.short_form() ? 0.0 : 2.0 * scene.stages.back().duration.value())}};
 }
 
 void slope_2d(CaseRun& run) {

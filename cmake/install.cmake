@@ -3,31 +3,10 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# Everything an embedding program includes, spelled as in the repository. tests/layering reads this
-# list: nothing in it may include, however indirectly, a third-party header.
-set(scarp_public_headers
-  engine/element/element_path.hpp
-  engine/boundary/wall_reaction.hpp
-  engine/checkpoint/snapshot.hpp
-  engine/energy/energy_balance.hpp
-  engine/errors.hpp
-  engine/features.hpp
-  engine/integrate/step_report.hpp
-  engine/output/checkpoint_file.hpp
-  engine/particles/probe_sample.hpp
-  engine/run_options.hpp
-  engine/simulation.hpp
-  engine/watch/lost_soil.hpp
-  engine/scene/scene.hpp
-  engine/scene/scene_reader.hpp
-  kernels/constitutive/drucker_prager.hpp
-  kernels/constitutive/linear_elastic.hpp
-  kernels/constitutive/list.hpp
-  kernels/constitutive/parameter_spec.hpp)
-foreach(header IN LISTS scarp_public_headers)
-  cmake_path(GET header PARENT_PATH folder)
-  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scarp/${folder})
-endforeach()
+install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -D \"SOURCE=${PROJECT_SOURCE_DIR}\"
+  -D \"BINARY=${PROJECT_BINARY_DIR}\"
+  -D \"DESTINATION=\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\"
+  -P \"${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
 
 install(TARGETS scarp_engine EXPORT scarpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS scarp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -12,6 +12,7 @@
 
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
+#include "engine/scene/nearest_name.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
 #include "engine/stop.hpp"
@@ -298,6 +299,16 @@ ProbeSample Simulation::probe(std::size_t index) const {
   sample.density = read(Field::density, 0);
   sample.accumulated_plastic_strain = read(Field::accumulated_plastic_strain, 0);
   return sample;
+}
+
+ProbeSample Simulation::probe(std::string_view name) const {
+  const std::vector<Probe>& probes = owned(impl_).state.scene.probes;
+  for (std::size_t index = 0; index < probes.size(); ++index) {
+    if (probes[index].name == name) return probe(index);
+  }
+  std::vector<std::string> names;
+  for (const Probe& probe : probes) names.push_back(probe.name);
+  throw Error(fmt::format("no probe '{}' in this scene. {}", name, did_you_mean(name, names)));
 }
 
 const std::vector<ProbeParticle>& Simulation::probe_particles() const {

@@ -91,7 +91,8 @@ class Simulation {
   const LostSoil& lost_soil() const;
   EnergyBalance energy() const;
   std::vector<WallReaction> wall_reactions() const;
-  ProbeSample probe(std::size_t index) const;  ///< Error for an index the scene does not have
+  ProbeSample probe(std::size_t index) const;      ///< Error for an index the scene does not have
+  ProbeSample probe(std::string_view name) const;  ///< Error for a name the scene does not have
   const std::vector<ProbeParticle>& probe_particles() const;
 
   double smoothing_length() const;

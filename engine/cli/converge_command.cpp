@@ -83,7 +83,7 @@ std::optional<SpacingRun> earlier_run(const fs::path& folder, const Simulation& 
                       results.at("isa") == simulation.isa() &&
                       results.at("threads") == simulation.threads() &&
                       results.at("particles") == simulation.soil_count() &&
-                      results.at("versions").at("scarp") == SCARP_VERSION;
+                      results.at("versions").at("scarp") == program_version();
     if (!same) return {};
     SpacingRun run = run_of(results, quantities);
     run.reused = true;

@@ -12,6 +12,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/element/element_path.hpp"
 #include "engine/fos/limit_search.hpp"
+#include "engine/output/results.hpp"
 #include "engine/team.hpp"
 
 namespace {
@@ -156,7 +157,7 @@ CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
 
 int run_program(int argc, char** argv) {
   CLI::App app{"Smoothed-particle hydrodynamics for slope failure and granular collapse"};
-  app.set_version_flag("--version", "scarp " SCARP_VERSION);
+  app.set_version_flag("--version", "scarp " + scarp::program_version());
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 error, 2 bad usage, 3 the run became unstable, 4 the run ended but "

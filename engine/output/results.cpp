@@ -8,14 +8,11 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <scarp/version.hpp>
 #include <thread>
 
 #include "engine/machine.hpp"
 #include "engine/output/text_file.hpp"
-
-#ifndef SCARP_VERSION
-#define SCARP_VERSION "unknown"
-#endif
 
 namespace scarp {
 namespace {

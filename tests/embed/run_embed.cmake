@@ -26,13 +26,16 @@ foreach(export IN LISTS exports)
 endforeach()
 
 # Every public header stands on its own, with nothing but the installed folder to look into.
-file(GLOB_RECURSE headers RELATIVE ${prefix}/include/scarp ${prefix}/include/scarp/*.hpp)
-if(NOT headers)
-  message(FATAL_ERROR "no headers were installed under ${prefix}/include/scarp")
+file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*)
+if(NOT "scarp/scarp.hpp" IN_LIST headers)
+  message(FATAL_ERROR "scarp/scarp.hpp was not installed under ${prefix}/include")
 endif()
 foreach(header IN LISTS headers)
-  file(WRITE ${WORK}/one_header.cpp "#include \"${header}\"\n")
-  run(${COMPILER} -std=c++20 -fsyntax-only -I${prefix}/include/scarp ${WORK}/one_header.cpp)
+  if(NOT header MATCHES "^scarp/")
+    message(FATAL_ERROR "${header} was installed outside include/scarp")
+  endif()
+  file(WRITE ${WORK}/one_header.cpp "#include <${header}>\n")
+  run(${COMPILER} -std=c++20 -fsyntax-only -I${prefix}/include ${WORK}/one_header.cpp)
 endforeach()
 
 run(${prefix}/bin/scarp --help)
@@ -47,5 +50,5 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATO
     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release
     -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/embed)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build --output-on-failure --no-tests=error)
 message(STATUS "${output}")

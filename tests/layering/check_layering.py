@@ -116,7 +116,7 @@ def check_spelling(tree):
 
 
 def public_headers(root):
-    text = (pathlib.Path(root) / "cmake/install.cmake").read_text("utf-8")
+    text = (pathlib.Path(root) / "cmake/public_headers.cmake").read_text("utf-8")
     match = re.search(r"set\(scarp_public_headers\s+([^)]*)\)", text)
     return match.group(1).split() if match else []
 
@@ -124,13 +124,13 @@ def public_headers(root):
 def check_public_headers(tree):
     headers = public_headers(tree.root)
     if not headers:
-        yield "cmake/install.cmake: no list scarp_public_headers"
+        yield "cmake/public_headers.cmake: no list scarp_public_headers"
     for header in headers:
         if header not in tree.text:
             yield f"cmake/install.cmake: {header} does not exist"
     for file in tree.closure(headers):
         if file not in headers:
-            yield f"{file}: included by a public header, but not installed (scarp_public_headers in cmake/install.cmake)"
+            yield f"{file}: included by a public header, but not installed (scarp_public_headers in cmake/public_headers.cmake)"
         for _, include in tree.includes[file]:
             if third_party_in(include):
                 yield f"{file}: a public header must not include {third_party_in(include)} ({include})"

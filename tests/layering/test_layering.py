@@ -12,7 +12,7 @@ import check_layering
 import check_mutable_state
 
 CLEAN = {
-    "cmake/install.cmake": "set(scarp_public_headers engine/simulation.hpp)",
+    "cmake/public_headers.cmake": "set(scarp_public_headers engine/simulation.hpp)",
     "cmake/isa.cmake": "scarp_add_isa(avx2 -mavx2)",
     "kernels/simd.hpp": "#include <xsimd/xsimd.hpp>\n/// Equation: E25, S1; W. Equation: E12 (outer).",
     "kernels/EQUATIONS.md": "| E25 | S1 | E12 |",

@@ -99,7 +99,9 @@ TEST(ProbeParticlesTest, TheSimulationTellsWhatItFollows) {
   EXPECT_EQ(crest.probe, "crest");
   EXPECT_EQ(crest.tied, 2u);
   EXPECT_DOUBLE_EQ(crest.distance, std::sqrt(0.5));
+  EXPECT_EQ(crest.start, simulation.probe("crest").position);
   EXPECT_EQ(crest.start, simulation.probe(0).position);
+  EXPECT_THROW(simulation.probe("toe"), Error);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ std::vector<Use> every_use() {
           {"energy", [](Simulation& s) { s.energy(); }},
           {"wall_reactions", [](Simulation& s) { s.wall_reactions(); }},
           {"probe", [](Simulation& s) { s.probe(0); }},
+          {"probe by name", [](Simulation& s) { s.probe("crest"); }},
           {"smoothing_length", [](Simulation& s) { s.smoothing_length(); }},
           {"acoustic_cfl_limit", [](Simulation& s) { s.acoustic_cfl_limit(); }},
           {"lattice_moment", [](Simulation& s) { s.lattice_moment(); }},

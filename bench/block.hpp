@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/setup.hpp"
+#include "engine/step/step_phases.hpp"
 #include "kernels/neighbour_block.hpp"
 
 namespace scarp::bench {
@@ -72,6 +73,14 @@ inline Scene block_scene(const BlockOptions& options) {
   return scene;
 }
 
+/// Records, and lists where they are due.
+inline void refresh_neighbours(State& state) {
+  for (const Phase& phase :
+       {phases::pack_soil, phases::decide_rebuild, phases::rebuild_lists, phases::pack_images}) {
+    phase.run(state);
+  }
+}
+
 /// Positions jittered by up to 0.1 dx and velocities of 0.1 m/s, both from the particle's id, so
 /// that every run sees the same block.
 inline State block_state(const BlockOptions& options) {
@@ -92,7 +101,8 @@ inline State block_state(const BlockOptions& options) {
       }
     }
   }
-  enter_stage(state, 0);
+  for (const Phase& phase : phases_of(state.scene.numerics.integrator).stage_start)
+    phase.run(state);
   refresh_neighbours(state);
   return state;
 }

@@ -28,6 +28,8 @@ set(scarp_public_headers
   engine/scene/scene_reader.hpp
   engine/scene/shorthand.hpp
   engine/simulation.hpp
+  engine/step/phase_view.hpp
+  engine/step/reduction.hpp
   engine/watch/lost_soil.hpp
   engine/watch/stability_margin.hpp
   kernels/constitutive/drucker_prager.hpp

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
+
+#include "engine/step/reduction.hpp"
 
 namespace scarp {
 
@@ -17,6 +20,9 @@ struct RunOptions {
   /// Whether to stop: looked at before each step and within the set-up, by copies of a simulation
   /// too, in the thread that called. Cheap, and safe to call at any time; empty: never.
   std::function<bool()> stop = {};
+  /// Joins the parts of a soil that several simulations hold; empty: one holds it all. Copies of a
+  /// simulation share it.
+  std::shared_ptr<Reduction> reduction = {};
 };
 
 }  // namespace scarp

@@ -249,6 +249,7 @@ State make_state(Scene scene, const RunOptions& options) {
   state.scene = std::move(scene);
   close_narrow_gaps(state.scene);
   state.options = options;
+  if (options.reduction) state.reduction = options.reduction;
   state.team = make_team(options);
   state.threads = state.team.threads();
   const Numerics& n = state.scene.numerics;
@@ -280,6 +281,12 @@ State make_state(Scene scene, const RunOptions& options) {
   state.boundary.velocity.assign(state.scene.walls.size(), Vec3{});
   state.boundary.hold_force.assign(state.scene.walls.size(), Vec3{});
   fill_particles(state, soil);
+  for (const ParticleGroup& group : state.particles.groups()) {
+    state.limits.sound_speed = std::max(state.limits.sound_speed,
+                                        std::sqrt(state.scaling.wave_modulus[group.material] /
+                                                  state.scene.materials[group.material].density));
+  }
+  state.limits.sound_speed = state.reduction->maximum_of(state.limits.sound_speed);
   stop_if_asked(state.options.stop);
   place_walls(state);
   stop_if_asked(state.options.stop);

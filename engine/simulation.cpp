@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Public entry of the library, and the step as a list of phases.
+/// Public entry of the library: read-outs, and the step.
 #include "engine/simulation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 
@@ -15,53 +13,12 @@
 #include "engine/scene/nearest_name.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
+#include "engine/step/step_phases.hpp"
 #include "engine/stop.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace scarp {
 namespace {
-
-struct Phase {
-  const char* name;
-  void (*run)(State&);
-};
-#define SCARP_PHASE(function) \
-  Phase { #function, function }
-
-/// The step of each integrator, literally; an adapter may act between two phases. (As a
-/// std::array of deduced type gcc 12 would put them into memory that can be written.)
-constexpr Phase verlet_phases[]{SCARP_PHASE(refresh_neighbours),
-                                SCARP_PHASE(extrapolate_walls),
-                                SCARP_PHASE(sweep_all),
-                                SCARP_PHASE(sample_energy),
-                                SCARP_PHASE(choose_time_step),
-                                SCARP_PHASE(advance_verlet),
-                                SCARP_PHASE(hold_off_faces),
-                                SCARP_PHASE(watch),
-                                SCARP_PHASE(end_step)};
-constexpr Phase kick_drift_kick_phases[]{SCARP_PHASE(choose_time_step),
-                                         SCARP_PHASE(kick_half),
-                                         SCARP_PHASE(hold_off_faces),
-                                         SCARP_PHASE(drift_half),
-                                         SCARP_PHASE(refresh_neighbours),
-                                         SCARP_PHASE(extrapolate_walls),
-                                         SCARP_PHASE(sweep_gradient),
-                                         SCARP_PHASE(advance_stress),
-                                         SCARP_PHASE(drift_half),
-                                         SCARP_PHASE(refresh_neighbours),
-                                         SCARP_PHASE(extrapolate_walls),
-                                         SCARP_PHASE(sweep_force),
-                                         SCARP_PHASE(kick_half),
-                                         SCARP_PHASE(hold_off_faces),
-                                         SCARP_PHASE(sample_energy),
-                                         SCARP_PHASE(watch),
-                                         SCARP_PHASE(end_step)};
-#undef SCARP_PHASE
-
-std::span<const Phase> phases_of(Integrator integrator) {
-  if (integrator == Integrator::verlet) return verlet_phases;
-  return kick_drift_kick_phases;
-}
 
 /// Evenly spread over -1 to 1. Source: Steele, Lea and Flood (2014), splitmix64.
 double noise(std::uint64_t key) {
@@ -85,8 +42,44 @@ Impl& owned(const std::unique_ptr<Impl>& impl) {
 }  // namespace
 
 struct Simulation::Impl {
+  explicit Impl(State made)
+      : state(std::move(made)),
+        phases(phases_of(state.scene.numerics.integrator)),
+        start_seconds(phases.stage_start.size()),
+        step_seconds(phases.step.size()) {}
+
+  struct Hook {
+    std::string phase;
+    When when;
+    PhaseHook call;
+  };
   State state;
-  std::array<double, std::size(kick_drift_kick_phases)> phase_seconds{};
+  StepPhases phases;
+  std::vector<double> start_seconds, step_seconds;  ///< by phase
+  std::vector<Hook> hooks;
+
+  void call_hooks(const Phase& phase, When when) {
+    for (const Hook& hook : hooks) {
+      if (hook.when != when || hook.phase != phase.name) continue;
+      PhaseView view(state, phase, when);
+      hook.call(view);
+    }
+  }
+  /// Runs the phases, adds what each took to `seconds`, returns the sum [s].
+  double run(PhaseList list, std::vector<double>& seconds) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point began = Clock::now();
+    Clock::time_point before = began;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      call_hooks(list[k], When::before);
+      list[k].run(state);
+      call_hooks(list[k], When::after);
+      const Clock::time_point after = Clock::now();
+      seconds[k] += std::chrono::duration<double>(after - before).count();
+      before = after;
+    }
+    return std::chrono::duration<double>(before - began).count();
+  }
   std::vector<std::int64_t> slot_of_id() const {
     std::vector<std::int64_t> slots(static_cast<std::size_t>(state.particles.count()));
     const auto& ids = state.particles.ids();
@@ -99,10 +92,10 @@ struct Simulation::Impl {
 };
 
 Simulation::Simulation(Scene scene, const RunOptions& options)
-    : impl_(std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}})) {}
+    : impl_(std::make_unique<Impl>(make_state(std::move(scene), options))) {}
 Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options) {
   if (options.isa.empty()) options.isa = snapshot.text("isa");
-  impl_ = std::make_unique<Impl>(Impl{make_state(std::move(scene), options), {}});
+  impl_ = std::make_unique<Impl>(make_state(std::move(scene), options));
   apply_snapshot(impl_->state, snapshot);
 }
 Simulation::~Simulation() = default;
@@ -113,25 +106,13 @@ const StepReport& Simulation::step() {
   State& state = owned(impl_).state;
   stop_if_asked(state.options.stop);
   if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
-  if (!state.stage.started) {
-    enter_stage(state, 0);
-  } else if (state.stage.ended) {
-    enter_stage(state, state.stage.index + 1);
-  }
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point began = Clock::now();
+  Impl& impl = *impl_;
+  if (!state.stage.started || state.stage.ended)
+    impl.run(impl.phases.stage_start, impl.start_seconds);
   const std::uint64_t rebuilds = state.neighbours.rebuilds;
   state.threads = state.team.threads();
-  Clock::time_point before = began;
-  double* seconds = owned(impl_).phase_seconds.data();
-  for (const Phase& phase : phases_of(state.scene.numerics.integrator)) {
-    phase.run(state);
-    const Clock::time_point after = Clock::now();
-    *seconds++ += std::chrono::duration<double>(after - before).count();
-    before = after;
-  }
-  state.team.took(std::chrono::duration<double>(before - began).count(),
-                  state.neighbours.rebuilds != rebuilds);
+  const double seconds = impl.run(impl.phases.step, impl.step_seconds);
+  state.team.took(seconds, state.neighbours.rebuilds != rebuilds);
   return state.report;
 }
 
@@ -330,26 +311,64 @@ std::size_t Simulation::memory_bytes() const {
          n.soil_cells.bytes() + n.image_cells.bytes() + n.wall_cells.bytes();
 }
 std::uint64_t Simulation::rebuild_count() const { return owned(impl_).state.neighbours.rebuilds; }
-std::uint64_t Simulation::density_bound_count() const { return owned(impl_).state.density_bounds; }
+std::uint64_t Simulation::density_bound_count() const {
+  const State& state = owned(impl_).state;
+  return static_cast<std::uint64_t>(
+      state.reduction->sum_of(static_cast<double>(state.density_bounds)));
+}
 const StepLimitCounts& Simulation::step_limit_counts() const {
   return owned(impl_).state.limits.counts;
 }
-std::uint64_t Simulation::face_hold_count() const { return owned(impl_).state.boundary.holds; }
+std::uint64_t Simulation::face_hold_count() const {
+  const State& state = owned(impl_).state;
+  return static_cast<std::uint64_t>(
+      state.reduction->sum_of(static_cast<double>(state.boundary.holds)));
+}
 std::vector<PhaseTime> Simulation::profile() const {
+  const Impl& impl = owned(impl_);
   std::vector<PhaseTime> times;
-  const double* seconds = owned(impl_).phase_seconds.data();
-  for (const Phase& phase : phases_of(owned(impl_).state.scene.numerics.integrator)) {
-    const auto known = std::find_if(times.begin(), times.end(), [&](const PhaseTime& time) {
-      return time.phase == phase.name;
-    });
-    if (known == times.end()) {
-      times.push_back({phase.name, *seconds++});
-    } else {
-      known->seconds += *seconds++;
+  const auto add = [&times](PhaseList list, const std::vector<double>& seconds) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const auto known = std::find_if(times.begin(), times.end(), [&](const PhaseTime& time) {
+        return time.phase == list[k].name;
+      });
+      if (known == times.end()) {
+        times.push_back({list[k].name, seconds[k]});
+      } else {
+        known->seconds += seconds[k];
+      }
     }
-  }
+  };
+  add(impl.phases.step, impl.step_seconds);
+  add(impl.phases.stage_start, impl.start_seconds);
   return times;
 }
+
+std::vector<PhaseInfo> Simulation::phases() const {
+  const Impl& impl = owned(impl_);
+  std::vector<PhaseInfo> infos;
+  for (const PhaseList list : {impl.phases.stage_start, impl.phases.step}) {
+    for (const Phase& phase : list) infos.push_back(describe(phase));
+  }
+  return infos;
+}
+
+void Simulation::on_phase(std::string_view phase, When when, PhaseHook hook) {
+  Impl& impl = owned(impl_);
+  if (!hook) throw Error(fmt::format("on_phase('{}'): the hook is empty. Try a function.", phase));
+  std::string known;
+  for (const PhaseInfo& info : phases()) {
+    if (info.name == phase) {
+      impl.hooks.push_back({std::string(phase), when, std::move(hook)});
+      return;
+    }
+    if (known.find(info.name) == std::string::npos)
+      known += (known.empty() ? "" : ", ") + info.name;
+  }
+  throw Error(
+      fmt::format("on_phase('{}'): this run has no such phase; there are {}.", phase, known));
+}
+
 std::vector<UsedFeature> Simulation::features() const { return used_features(owned(impl_).state); }
 
 }  // namespace scarp

@@ -17,6 +17,7 @@
 #include "engine/particles/probe_sample.hpp"
 #include "engine/run_options.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/step/phase_view.hpp"
 #include "engine/watch/lost_soil.hpp"
 
 namespace scarp {
@@ -65,6 +66,13 @@ class Simulation {
   /// Adds to each velocity pseudo-random components within +-`speed` [m/s], by the particles' ids
   /// alone: noise in which an instability can grow. Errors: Error unless finite.
   void perturb(double speed);
+  /// Calls the hook in every step before or after a phase, also where a stage begins; hooks of one
+  /// place in the order given. A force is added to "acceleration" after "sweep_force" (Verlet:
+  /// "sweep_all"): it takes part in the step's size. Copies keep the hooks; a snapshot does not.
+  /// What a hook throws leaves `step()`. Errors: Error for a phase that the run does not have.
+  void on_phase(std::string_view phase, When when, PhaseHook hook);
+  /// The phases of the start of a stage, then those of a step, in their order.
+  std::vector<PhaseInfo> phases() const;
   /// An independent copy that goes on from here bit for bit.
   Simulation clone() const;
   /// The complete state, to be kept in a file (`engine/output/checkpoint_file.hpp`); taking one
@@ -108,7 +116,8 @@ class Simulation {
   const StepLimitCounts& step_limit_counts() const;
   std::uint64_t face_hold_count() const;  ///< how often a grain was held off a face
   std::vector<UsedFeature> features() const;
-  /// In order of the step; what a step does twice is one entry.
+  /// In order of the step, then what only the start of a stage has; what a step does twice is one
+  /// entry. A hook counts to its phase.
   std::vector<PhaseTime> profile() const;
 
  private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/boundary/boundary.hpp"
@@ -13,6 +14,7 @@
 #include "engine/particles/probe_sample.hpp"
 #include "engine/run_options.hpp"
 #include "engine/stages/stages.hpp"
+#include "engine/step/reduction.hpp"
 #include "engine/sweep/pair_sweeps.hpp"
 #include "engine/team.hpp"
 #include "engine/watch/lost_soil.hpp"
@@ -22,6 +24,7 @@ namespace scarp {
 struct State {
   Scene scene;
   RunOptions options;
+  std::shared_ptr<Reduction> reduction = std::make_shared<Reduction>();
   Team team;
   int threads = 1;  ///< of this step
   ChosenKernels kernels;

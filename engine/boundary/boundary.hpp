@@ -9,6 +9,7 @@
 #include "engine/boundary/mirror_images.hpp"
 #include "engine/boundary/wall_reaction.hpp"
 #include "engine/boundary/walls.hpp"
+#include "engine/step/phase.hpp"
 
 namespace scarp {
 
@@ -31,13 +32,26 @@ struct Boundary {
 
 /// Makes the dummies of the walls that stand; the lists are no longer valid.
 void place_walls(State& state);
-/// Phase: records of the dummies, velocity and stress from the soil near them. Equation: B1, B2.
+/// Records of the dummies, velocity and stress from the soil near them. Equation: B1, B2.
 void extrapolate_walls(State& state);
-/// Phase: takes from the velocities what would carry grains through a face. Equation: B4.
+/// Takes from the velocities what would carry grains through a face. Equation: B4.
 void hold_off_faces(State& state);
 /// How near to a face that rule acts [m].
 double hold_off_distance(double spacing);
 /// Forces on the walls where everything stands now; sums one force sweep, and one for each wall.
 std::vector<WallReaction> wall_reactions(const State& state);
+
+namespace phases {
+
+inline constexpr Phase extrapolate_walls{"extrapolate_walls",
+                                         {Part::records, Part::lists, Part::walls},
+                                         {Part::records, Part::walls},
+                                         scarp::extrapolate_walls};
+inline constexpr Phase hold_off_faces{"hold_off_faces",
+                                      {Field::position, Field::velocity, Part::lists, Part::walls},
+                                      {Field::velocity, Part::walls},
+                                      scarp::hold_off_faces};
+
+}  // namespace phases
 
 }  // namespace scarp

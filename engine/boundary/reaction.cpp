@@ -65,6 +65,10 @@ std::vector<WallReaction> wall_reactions(const State& state) {
     const Vec3 without = total_force(state, view, narrow);
     for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] += without[a] - with_all[a];
   }
+  std::vector<Vec3> forces;
+  for (const WallReaction& reaction : reactions) forces.push_back(reaction.force);
+  state.reduction->sum_each(forces);
+  for (std::size_t w = 0; w < reactions.size(); ++w) reactions[w].force = forces[w];
   return reactions;
 }
 

@@ -54,12 +54,14 @@ StoredEnergy stored_energy(const State& state) {
       sum.stress_work += mass * value(Field::stress_work, 0);
     }
   }
+  state.reduction->sum_each({&sum.parts.kinetic, &sum.parts.potential, &sum.parts.elastic,
+                             &sum.parts.plastic, &sum.parts.diffusion, &sum.stress_work});
   return sum;
 }
 
 using Acceleration = std::array<AlignedVector<double>, 3>;
 
-/// sum m v . a over the soil.
+/// sum m v . a over the soil of this part.
 double power(const State& state, const Acceleration& acceleration) {
   double sum = 0.0;
   for (const ParticleGroup& group : state.particles.groups()) {
@@ -110,12 +112,15 @@ void sample_energy(State& state) {
       for (std::int64_t k = group.first; k < group.end(); ++k) now.damping += drag * v[k] * v[k];
     }
   }
+  state.reduction->sum_each({&now.stress, &now.viscous, &now.artificial_stress, &now.damping});
   if (std::any_of(state.boundary.velocity.begin(), state.boundary.velocity.end(),
                   [](const Vec3& v) { return v != Vec3{}; })) {
     const std::vector<WallReaction> reactions = wall_reactions(state);
+    std::vector<Vec3> hold_force = state.boundary.hold_force;
+    state.reduction->sum_each(hold_force);
     for (std::size_t w = 0; w < reactions.size(); ++w) {
       for (std::size_t a = 0; a < 3; ++a) {
-        const double held = state.boundary.hold_force[w][a];
+        const double held = hold_force[w][a];
         now.wall += (reactions[w].force[a] - held) * state.boundary.velocity[w][a];
         now.hold += held * state.boundary.velocity[w][a];
       }

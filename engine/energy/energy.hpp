@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/energy/energy_balance.hpp"
+#include "engine/step/phase.hpp"
 
 namespace scarp {
 
@@ -25,10 +26,25 @@ struct EnergyLedger {
   EnergyBalance start;  ///< stored energies when the stage began
   double stress_work_start = 0.0;
 };
-/// Phase: powers of the forces, every few steps, where the output asks for energies. Called after
+/// Powers of the forces, every few steps, where the output asks for energies. Called after
 /// the force sweep of a step, with velocity and records of the same instant.
 void sample_energy(State& state);
 void start_ledger(State& state);  ///< at the start of a stage
 EnergyBalance energy_balance(const State& state);
+
+namespace phases {
+
+inline constexpr Phase sample_energy{"sample_energy",
+                                     {Field::velocity, Part::records, Part::lists, Part::walls},
+                                     {},
+                                     scarp::sample_energy};
+inline constexpr Phase start_ledger{
+    "start_ledger",
+    {Field::position, Field::velocity, Field::density, Field::stress, Field::stress_work,
+     Field::plastic_work, Field::diffusion_work},
+    {},
+    scarp::start_ledger};
+
+}  // namespace phases
 
 }  // namespace scarp

@@ -4,6 +4,8 @@
 
 #include "engine/integrate/step_report.hpp"
 #include "engine/integrate/time_step.hpp"
+#include "engine/step/phase.hpp"
+#include "engine/sweep/pair_sweeps.hpp"
 
 namespace scarp {
 
@@ -22,16 +24,42 @@ struct StepClock {
 
 /// What bounds the time step, and how often each bound did.
 struct StepLimits {
+  double sound_speed = 0.0;   ///< the fastest of the undisturbed soil [m/s]
   double acoustic_cfl = 0.0;  ///< largest CFL number for sound on the undisturbed lattice (T1)
   DissipationRates dissipation;
   StepLimitCounts counts{};
 };
 
-void choose_time_step(
-    State& state);  ///< Phase: from the rates at hand. Errors: SimulationInstability.
-void advance_verlet(State& state);  ///< Phase: stress and every level of time. Equation: E28, E29.
-void kick_half(State& state);       ///< Phase: velocity over half a step. Equation: I1.
-void drift_half(State& state);      ///< Phase: position over half a step.
-void advance_stress(State& state);  ///< Phase: stress and density over the step.
+void choose_time_step(State& state);  ///< from the rates at hand. Errors: SimulationInstability
+void advance_verlet(State& state);    ///< stress and every level of time. Equation: E28, E29
+void kick_half(State& state);         ///< velocity over half a step. Equation: I1
+void drift_half(State& state);        ///< position over half a step
+void advance_stress(State& state);    ///< stress and density over the step
+
+namespace phases {
+
+inline constexpr DataSet point_history{Field::density,       Field::stress,
+                                       Field::diffusivity,   Field::accumulated_plastic_strain,
+                                       Field::stress_work,   Field::plastic_work,
+                                       Field::diffusion_work};
+inline constexpr DataSet verlet_levels{Field::position, Field::velocity, Field::previous_velocity,
+                                       Field::previous_density, Field::previous_stress};
+inline constexpr Phase choose_time_step{
+    "choose_time_step",
+    {Field::velocity, Field::acceleration, Field::density, Field::approach_rate},
+    Part::walls,
+    scarp::choose_time_step};
+inline constexpr Phase advance_verlet{
+    "advance_verlet",
+    point_history | verlet_levels | gradient_output | DataSet(Field::acceleration),
+    point_history | verlet_levels, scarp::advance_verlet};
+inline constexpr Phase kick_half{
+    "kick_half", {Field::velocity, Field::acceleration}, Field::velocity, scarp::kick_half};
+inline constexpr Phase drift_half{
+    "drift_half", {Field::position, Field::velocity}, Field::position, scarp::drift_half};
+inline constexpr Phase advance_stress{"advance_stress", point_history | gradient_output,
+                                      point_history, scarp::advance_stress};
+
+}  // namespace phases
 
 }  // namespace scarp

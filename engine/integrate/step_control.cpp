@@ -17,9 +17,10 @@ constexpr double largest_growth = 1.1;
 }  // namespace
 
 void choose_time_step(State& state) {
-  const StateExtremes extremes = find_extremes(state.threads, state.particles, state.scaling,
-                                               state.scene.gravity, state.stage.damping);
+  StateExtremes extremes = find_extremes(state.threads, state.particles, state.scaling,
+                                         state.scene.gravity, state.stage.damping);
   if (extremes.bad_slot >= 0) throw SimulationInstability(not_finite(state, extremes.bad_slot));
+  join(extremes, *state.reduction);
   auto [dt, limit] = admissible_step(extremes, state.limits.dissipation, state.smoothing_length,
                                      state.scene.numerics.cfl * state.clock.step_factor);
   StepClock& clock = state.clock;

@@ -3,7 +3,9 @@
 #include "engine/integrate/time_step.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "engine/parallel.hpp"
 
@@ -60,6 +62,22 @@ StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
     if (result.bad_slot < 0) result.bad_slot = part.bad_slot;
   }
   return result;
+}
+
+void join(StateExtremes& extremes, Reduction& reduction) {
+  const double own = extremes.signal_speed;
+  std::array<double, 4> most{extremes.speed_squared, extremes.acceleration_squared, own,
+                             extremes.approach};
+  reduction.maximum(most);
+  // Of materials with the same signal speed the first.
+  const double material = own == most[2] ? static_cast<double>(extremes.signal_material)
+                                         : std::numeric_limits<double>::infinity();
+  extremes = {most[0],
+              most[1],
+              most[2],
+              most[3],
+              static_cast<std::size_t>(reduction.minimum_of(material)),
+              extremes.bad_slot};
 }
 
 AdmissibleStep admissible_step(const StateExtremes& extremes, const DissipationRates& rates,

@@ -7,6 +7,7 @@
 #include "engine/integrate/step_report.hpp"
 #include "engine/particles/particle_buffers.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/step/reduction.hpp"
 #include "engine/sweep/records.hpp"
 
 namespace scarp {
@@ -24,6 +25,9 @@ struct StateExtremes {
 /// Reads velocity, acceleration, density and approach rate of all particles.
 StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
                             const RecordScaling& scaling, const Vec3& gravity, double damping);
+
+/// Those of all parts of the soil; `bad_slot` stays this part's own.
+void join(StateExtremes& extremes, Reduction& reduction);
 
 /// Rates at which dissipative terms damp the shortest wave of a lattice: (a c + b w)/h per second,
 /// with the signal speed c and the speed of approach w.

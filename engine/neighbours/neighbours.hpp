@@ -6,6 +6,7 @@
 
 #include "engine/cells/cell_grid.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
+#include "engine/step/phase.hpp"
 
 namespace scarp {
 
@@ -14,15 +15,40 @@ struct State;
 struct Neighbours {
   CellGrid soil_cells, image_cells, wall_cells;
   NeighbourLists lists, wall_lists;
-  bool valid = false;          ///< the lists hold where everything stands now
+  bool valid = false;          ///< the lists are of the soil and the walls that stand
+  bool due = false;            ///< ... and have to be built anew in this step
+  double moved = 0.0;          ///< farthest that soil has moved since they were built [m]
   std::uint64_t rebuilds = 0;  ///< of the lists so far
 };
 
-/// Phase: sorts, builds cells and lists where that is due; packs the records of soil and images.
-void refresh_neighbours(State& state);
-/// Cells, images and lists of where everything stands now; `refresh_neighbours` calls it when due.
+/// Records of the soil, and how far it has moved since the lists were built.
+void pack_soil(State& state);
+/// Whether two particles, or one and a wall, may have come into reach that no list names.
+bool lists_are_outdated(const State& state);
+void decide_rebuild(State& state);
+/// Where that is decided: looks whether walls hold, puts particles in order, builds cells, images
+/// and lists, packs the records of the soil again. Errors: SimulationInstability.
+void rebuild_lists(State& state);
+/// Records of the mirror images from those of the soil.
+void pack_images(State& state);
+
+/// Cells, images and lists of where everything stands now.
 void build_lists(State& state);
-/// Records of soil and images where they stand now.
-void pack_records(State& state);
+
+namespace phases {
+
+inline constexpr DataSet packed_fields{Field::position, Field::velocity, Field::density,
+                                       Field::stress, Field::diffusivity};
+inline constexpr Phase pack_soil{"pack_soil", packed_fields | DataSet(Field::build_position),
+                                 Part::records, scarp::pack_soil};
+inline constexpr Phase decide_rebuild{"decide_rebuild", {}, {}, scarp::decide_rebuild};
+inline constexpr Phase rebuild_lists{
+    "rebuild_lists", fields_that_live(Lifetime::state) | DataSet(Part::walls),
+    fields_that_live(Lifetime::state) | DataSet(Part::records, Part::lists, Part::walls),
+    scarp::rebuild_lists};
+inline constexpr Phase pack_images{
+    "pack_images", {Part::records, Part::walls}, Part::records, scarp::pack_images};
+
+}  // namespace phases
 
 }  // namespace scarp

@@ -16,13 +16,14 @@
 namespace scarp {
 namespace {
 
-/// Height of each particle's centre along gravity and its material; without gravity along the last
-/// axis. Lost soil counts only where all is lost.
+/// Height of each particle's centre along gravity and its material, of all parts of the soil;
+/// without gravity along the last axis. Lost soil counts only where all is lost.
 std::vector<std::pair<double, std::size_t>> levels(const State& state) {
   const Vec3& g = state.scene.gravity;
   const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-  const bool all_lost = state.lost.particles == static_cast<std::uint64_t>(state.particles.count());
-  std::vector<std::pair<double, std::size_t>> found;
+  const double all = state.reduction->sum_of(static_cast<double>(state.particles.count()));
+  const bool all_lost = static_cast<double>(state.lost.particles) == all;
+  std::vector<double> found;
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::int64_t k = group.first; k < group.end(); ++k) {
       if (!all_lost && state.is_lost(k)) continue;
@@ -32,10 +33,14 @@ std::vector<std::pair<double, std::size_t>> levels(const State& state) {
             size > 0.0 ? -g[static_cast<std::size_t>(a)] / size : (a == state.scene.dimension - 1);
         up += share * state.particles.component(Field::position, a)[k];
       }
-      found.emplace_back(up, group.material);
+      found.insert(found.end(), {up, static_cast<double>(group.material)});
     }
   }
-  return found;
+  state.reduction->gather(found);
+  std::vector<std::pair<double, std::size_t>> levels(found.size() / 2);
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    levels[k] = {found[2 * k], static_cast<std::size_t>(found[2 * k + 1])};
+  return levels;
 }
 
 /// The tallest stretch of soil without a gap along gravity beyond 2h, across which nothing acts:
@@ -138,10 +143,11 @@ double fastest_soil(const State& state) {
         [](double& total, double more) { total = std::max(total, more); });
     square = std::max(square, part);
   }
-  return std::sqrt(square);
+  return std::sqrt(state.reduction->maximum_of(square));
 }
 
-void enter_stage(State& state, std::size_t index) {
+void enter_stage(State& state) {
+  const std::size_t index = state.stage.started ? state.stage.index + 1 : 0;
   if (state.stage.started && state.scene.stages[state.stage.index].reset_after) reset(state);
   const Stage& stage = state.scene.stages[index];
   state.stage = StageClock{};
@@ -162,13 +168,6 @@ void enter_stage(State& state, std::size_t index) {
   state.clock.restart = true;
   state.clock.growth_base = 0.0;
   state.report.stage_time = 0.0;
-  // The first kick needs the acceleration.
-  if (state.scene.numerics.integrator == Integrator::kick_drift_kick) {
-    refresh_neighbours(state);
-    extrapolate_walls(state);
-    sweep_force(state);
-  }
-  start_ledger(state);
 }
 
 void end_step(State& state) {

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "engine/step/phase.hpp"
+
 namespace scarp {
 
 struct State;
@@ -21,9 +23,27 @@ struct StageClock {
   double start_speed = 0.0;  ///< fastest particle or wall when the stage began [m/s]
 };
 
-void enter_stage(State& state, std::size_t index);
-void end_step(State& state);              ///< Phase: clocks, moving walls, the end of the stage.
+void enter_stage(State& state);           ///< the first, or the one after the present one
+void end_step(State& state);              ///< clocks, moving walls, lost soil, the stage's end
 double soil_height(const State& state);   ///< extent along gravity of what is not lost [m]
 double fastest_soil(const State& state);  ///< ... and its largest speed [m/s]
+
+namespace phases {
+
+inline constexpr Phase enter_stage{
+    "enter_stage",
+    {Field::position, Field::velocity, Field::reference_position, Field::accumulated_plastic_strain,
+     Field::stress_work, Field::plastic_work, Field::diffusion_work, Part::walls},
+    {Field::velocity, Field::reference_position, Field::accumulated_plastic_strain,
+     Field::stress_work, Field::plastic_work, Field::diffusion_work, Part::records, Part::lists,
+     Part::walls},
+    scarp::enter_stage};
+inline constexpr Phase end_step{
+    "end_step",
+    {Field::position, Field::velocity, Field::reference_position, Part::walls},
+    Part::walls,
+    scarp::end_step};
+
+}  // namespace phases
 
 }  // namespace scarp

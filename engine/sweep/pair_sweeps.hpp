@@ -2,6 +2,7 @@
 /// Pair sweeps of a run: which were chosen, what they read, the phases that run them.
 #pragma once
 
+#include "engine/step/phase.hpp"
 #include "engine/sweep/narrow_records.hpp"
 #include "engine/sweep/records.hpp"
 #include "kernels/isa/kernel_table.hpp"
@@ -36,9 +37,9 @@ struct SweepInput {
   kernels::PairConstants<double> constants{};
 };
 
-void sweep_all(State& state);       ///< Phase (Verlet): every rate at once.
-void sweep_gradient(State& state);  ///< Phase (kick-drift-kick): velocity gradient and its like.
-void sweep_force(State& state);     ///< Phase (kick-drift-kick): acceleration.
+void sweep_all(State& state);       ///< Verlet: every rate at once
+void sweep_gradient(State& state);  ///< kick-drift-kick: velocity gradient, diffusion
+void sweep_force(State& state);     ///< kick-drift-kick: acceleration
 
 /// Records, lists and constants of the step, no output.
 kernels::PairSweepView<double> sweep_input_view(const State& state);
@@ -49,5 +50,21 @@ kernels::ParticleView particle_view(State& state);
 /// `narrow` is where mixed precision puts its records.
 void sweep_force_with(const State& state, const kernels::PairSweepView<double>& view,
                       NarrowRecords& narrow);
+
+namespace phases {
+
+/// Where soil is in tension a sweep of forces packs more records of stress and density.
+inline constexpr DataSet force_input{Field::density, Field::stress, Part::records, Part::lists};
+inline constexpr DataSet force_output{Field::acceleration, Field::approach_rate, Part::records};
+inline constexpr DataSet gradient_output{Field::density_rate, Field::velocity_gradient,
+                                         Field::moment, Field::diffusion_rate,
+                                         Field::diffusion_slope};
+inline constexpr Phase sweep_all{"sweep_all", force_input, force_output | gradient_output,
+                                 scarp::sweep_all};
+inline constexpr Phase sweep_gradient{
+    "sweep_gradient", {Part::records, Part::lists}, gradient_output, scarp::sweep_gradient};
+inline constexpr Phase sweep_force{"sweep_force", force_input, force_output, scarp::sweep_force};
+
+}  // namespace phases
 
 }  // namespace scarp

@@ -189,29 +189,38 @@ class LostSearch {
 void count_lost_soil(State& state) {
   if (state.scene.walls.empty()) return;
   const Slots found = LostSearch(state).found();
-  if (found.empty()) return;
+  double count = static_cast<double>(found.size()), mass = 0.0;
+  for (const std::int64_t slot : found)
+    mass += state.scaling.mass[state.particles.group_of(slot).material];
+  state.reduction->sum_each({&count, &mass});
+  if (count == 0.0) return;
+  LostSoil& lost = state.lost;
   const auto& ids = state.particles.ids();
   const auto id_of = [&ids](std::int64_t slot) { return ids[static_cast<std::size_t>(slot)]; };
-  state.lost_ids.resize(static_cast<std::size_t>(state.particles.count()));
-  LostSoil& lost = state.lost;
   if (lost.particles == 0) {
     // The least id: slots depend on the order in memory.
-    const std::int64_t first =
-        *std::min_element(found.begin(), found.end(),
-                          [&](std::int64_t a, std::int64_t b) { return id_of(a) < id_of(b); });
-    lost.first = id_of(first);
+    double first = infinity;
+    for (const std::int64_t slot : found) first = std::min(first, static_cast<double>(id_of(slot)));
+    first = state.reduction->minimum_of(first);
+    lost.first = static_cast<std::int64_t>(first);
     lost.step = state.report.step;
     lost.time = state.report.time;
     lost.stage = state.scene.stages[state.stage.index].name;
-    for (int a = 0; a < state.scene.dimension; ++a)
-      lost.position[static_cast<std::size_t>(a)] =
-          state.particles.component(Field::position, a)[first];
+    std::vector<Vec3> position(1);
+    for (const std::int64_t slot : found) {
+      if (id_of(slot) != lost.first) continue;
+      for (int a = 0; a < state.scene.dimension; ++a)
+        position[0][static_cast<std::size_t>(a)] =
+            state.particles.component(Field::position, a)[slot];
+    }
+    state.reduction->sum_each(position);
+    lost.position = position[0];
   }
-  for (const std::int64_t slot : found) {
+  state.lost_ids.resize(static_cast<std::size_t>(state.particles.count()));
+  for (const std::int64_t slot : found)
     state.lost_ids[static_cast<std::size_t>(id_of(slot))] = true;
-    lost.mass += state.scaling.mass[state.particles.group_of(slot).material];
-  }
-  lost.particles += found.size();
+  lost.mass += mass;
+  lost.particles += static_cast<std::uint64_t>(count);
 }
 
 std::string LostSoil::message(std::size_t all) const {

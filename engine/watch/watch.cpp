@@ -26,15 +26,6 @@ constexpr const char* causes =
     "stiffness; from here they look alike";
 constexpr const char* remedies = "a stiffer soil, a finer spacing or slower walls may help";
 
-double sound_speed(const State& state) {
-  double fastest = 0.0;
-  for (const ParticleGroup& group : state.particles.groups()) {
-    fastest = std::max(fastest, std::sqrt(state.scaling.wave_modulus[group.material] /
-                                          state.scene.materials[group.material].density));
-  }
-  return fastest;
-}
-
 double value_of(const State& state, Field field, int component, std::int64_t slot) {
   const double* array = state.particles.component(field, component);
   return array != nullptr ? array[slot] : 0.0;
@@ -65,7 +56,7 @@ std::int64_t fastest_slot(const State& state) {
 
 /// What waves, the start of the stage and its walls give a reason for.
 double allowed_speed(const State& state) {
-  return speed_margin * (sound_speed(state) + state.stage.start_speed);
+  return speed_margin * (state.limits.sound_speed + state.stage.start_speed);
 }
 
 /// Beyond the allowed speed only a fall explains more: its own, or that of soil which pushes it.
@@ -153,8 +144,9 @@ std::optional<Instability> energy_from_nothing(const State& state) {
   double mass = 0.0;
   for (const ParticleGroup& group : state.particles.groups())
     mass += static_cast<double>(group.count) * state.scaling.mass[group.material];
+  mass = state.reduction->sum_of(mass);
   // Without weight, speed and stress round-off is all there is: a thousandth of the wave speed.
-  const double slow = 1e-3 * sound_speed(state);
+  const double slow = 1e-3 * state.limits.sound_speed;
   const double spent =
       start.kinetic + start.elastic + std::max(-now.potential, 0.0) + 0.5 * mass * slow * slow;
   if (gain <= spent) return {};

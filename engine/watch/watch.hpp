@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/errors.hpp"
+#include "engine/step/phase.hpp"
 
 namespace scarp {
 
@@ -32,7 +33,7 @@ Instability not_finite(const State& state, std::int64_t slot);
 /// The first thing in the present state that no soil can do, if any. THEORY.md section 10.
 std::optional<Instability> inspect(const State& state);
 
-/// Phase: what `inspect` finds, in the steps when it is due. Errors: SimulationInstability.
+/// What `inspect` finds, in the steps when it is due. Errors: SimulationInstability.
 void watch(State& state);
 
 /// Marks the particles that are lost now. With gravity: soil that falls, has fallen by more than
@@ -46,5 +47,16 @@ void count_lost_soil(State& state);
 /// Whether a particle has passed a face since the lists were built; called before they are built
 /// anew, so what moves by half their skin is looked at. Errors: SimulationInstability.
 void watch_walls(const State& state);
+
+namespace phases {
+
+inline constexpr Phase watch{
+    "watch",
+    {Field::position, Field::velocity, Field::density, Field::stress, Field::reference_position,
+     Field::stress_work, Field::plastic_work, Field::diffusion_work},
+    {},
+    scarp::watch};
+
+}  // namespace phases
 
 }  // namespace scarp

@@ -184,7 +184,7 @@ TEST(ProfileTest, TimesEveryPhaseOnceAndNoMoreThanPassed) {
       sum += time.seconds;
       EXPECT_TRUE(names.insert(time.phase).second) << time.phase;
     }
-    EXPECT_TRUE(names.contains("refresh_neighbours"));
+    EXPECT_TRUE(names.contains("pack_soil"));
     EXPECT_EQ(names.contains("sweep_all"), std::string(name) == "paper");
     EXPECT_GT(sum, 0.0);
     EXPECT_LE(sum, passed.count());

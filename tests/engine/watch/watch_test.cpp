@@ -10,6 +10,7 @@
 
 #include "engine/scene/warnings.hpp"
 #include "engine/setup.hpp"
+#include "engine/step/step_phases.hpp"
 #include "engine/watch/watch.hpp"
 #include "tests/support/small_scenes.hpp"
 
@@ -123,7 +124,8 @@ TEST(WatchTest, GrainsThatPassAFaceAreNamed) {
   scene.materials[0].parameters[0] = 1e4;
   scene.stages[0].damping = 0.0;
   State state = make_state(scene, {1, {}});
-  enter_stage(state, 0);  // lists stand
+  for (const Phase& phase : phases_of(state.scene.numerics.integrator).stage_start)
+    phase.run(state);  // lists stand
   watch_walls(state);
   double* y = state.particles.component(Field::position, 1);
   const double before = y[changed];

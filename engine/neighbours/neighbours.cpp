@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Keeps order, cells, lists and records up to date with the particles' positions.
+#include "engine/neighbours/neighbours.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -50,26 +52,6 @@ std::vector<SlotRange> soil_ranges(const State& state) {
 void build_soil_cells(State& state, const std::vector<SlotRange>& ranges) {
   state.neighbours.soil_cells.build(state.threads, points_of(state.particles), ranges,
                                     0.5 * list_reach(state));
-}
-
-double pack_soil(State& state) {
-  return state.sweep.records.pack_soil(state.threads, state.particles, state.scaling);
-}
-
-void pack_images(State& state) {
-  state.boundary.images.pack(state.sweep.records, state.scaling.inverse_smoothing_length,
-                             state.boundary.offset, state.boundary.velocity, state.scene.gravity);
-}
-
-void rebuild(State& state) {
-  if (state.neighbours.valid) watch_walls(state);
-  if (state.neighbours.rebuilds % rebuilds_per_sort == 0) {
-    const std::vector<SlotRange> ranges = soil_ranges(state);
-    build_soil_cells(state, ranges);
-    sort_particles(state, ranges);
-  }
-  ++state.neighbours.rebuilds;
-  build_lists(state);
 }
 
 }  // namespace
@@ -134,21 +116,40 @@ void build_lists(State& state) {
   state.neighbours.valid = true;
 }
 
-void pack_records(State& state) {
-  pack_soil(state);
-  pack_images(state);
+void pack_soil(State& state) {
+  Neighbours& neighbours = state.neighbours;
+  neighbours.moved =
+      std::sqrt(state.sweep.records.pack_soil(state.threads, state.particles, state.scaling));
 }
 
-void refresh_neighbours(State& state) {
-  const double moved = state.neighbours.valid ? std::sqrt(pack_soil(state)) : 0.0;
-  const double walls_moved = state.boundary.moved;
+bool lists_are_outdated(const State& state) {
+  const Neighbours& neighbours = state.neighbours;
+  const double moved = state.reduction->maximum_of(neighbours.moved);
   // Two particles, or a particle and a wall, may close the skin from both sides.
   const double skin = state.scene.numerics.skin * state.smoothing_length;
-  if (!state.neighbours.valid || moved + std::max(moved, walls_moved) > skin) {
-    rebuild(state);
-    pack_soil(state);
+  return !neighbours.valid || moved + std::max(moved, state.boundary.moved) > skin;
+}
+
+void decide_rebuild(State& state) { state.neighbours.due = lists_are_outdated(state); }
+
+void rebuild_lists(State& state) {
+  Neighbours& neighbours = state.neighbours;
+  if (!neighbours.due) return;
+  if (neighbours.valid) watch_walls(state);
+  if (neighbours.rebuilds % rebuilds_per_sort == 0) {
+    const std::vector<SlotRange> ranges = soil_ranges(state);
+    build_soil_cells(state, ranges);
+    sort_particles(state, ranges);
   }
-  pack_images(state);
+  ++neighbours.rebuilds;
+  build_lists(state);
+  neighbours.due = false;
+  pack_soil(state);
+}
+
+void pack_images(State& state) {
+  state.boundary.images.pack(state.sweep.records, state.scaling.inverse_smoothing_length,
+                             state.boundary.offset, state.boundary.velocity, state.scene.gravity);
 }
 
 }  // namespace scarp

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// A phase of a step, and what it reads and writes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engine/particles/field_list.hpp"
+
+namespace scarp {
+
+struct State;
+
+/// What a phase touches besides the fields of the particles: packed records; cells and lists; what
+/// walls and their dummies do.
+enum class Part { records, lists, walls };
+
+/// A set of fields and parts. Names may be in it that a run does not store.
+class DataSet {
+ public:
+  constexpr DataSet() = default;
+  template <class... Item>
+  constexpr DataSet(Item... items) : bits_((std::uint64_t{0} | ... | bit(items))) {}
+
+  template <class Item>
+  constexpr bool has(Item item) const {
+    return (bits_ & bit(item)) != 0;
+  }
+  constexpr DataSet operator|(DataSet other) const {
+    DataSet sum;
+    sum.bits_ = bits_ | other.bits_;
+    return sum;
+  }
+
+ private:
+  static constexpr int field_count = static_cast<int>(Field::count);
+  static_assert(field_count + 3 <= 64);
+  static constexpr std::uint64_t bit(Field field) {
+    return std::uint64_t{1} << static_cast<int>(field);
+  }
+  static constexpr std::uint64_t bit(Part part) {
+    return std::uint64_t{1} << (field_count + static_cast<int>(part));
+  }
+  static constexpr std::uint64_t bit(DataSet set) { return set.bits_; }
+
+  std::uint64_t bits_ = 0;
+};
+
+/// Every field of that lifetime.
+constexpr DataSet fields_that_live(Lifetime lifetime) {
+  DataSet set;
+  for (const FieldRow& field : field_list) {
+    if (field.lifetime == lifetime) set = set | DataSet(field.field);
+  }
+  return set;
+}
+
+/// `reads` is what has to be current before the phase, of an engine with several parts on the
+/// ghosts too; `writes` is all that it may change. What a phase both keeps and changes is in both.
+struct Phase {
+  const char* name;
+  DataSet reads, writes;
+  void (*run)(State&);
+};
+
+using PhaseList = std::span<const Phase>;
+
+}  // namespace scarp

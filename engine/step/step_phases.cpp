@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The step of each integrator, literally.
+#include "engine/step/step_phases.hpp"
+
+#include "engine/state.hpp"
+#include "engine/watch/watch.hpp"
+
+namespace scarp {
+namespace {
+
+namespace p = phases;
+
+// As a std::array of deduced type gcc 12 would put them into memory that can be written.
+constexpr Phase verlet_stage_start[]{p::enter_stage, p::start_ledger};
+constexpr Phase verlet_step[]{
+    p::pack_soil,         p::decide_rebuild, p::rebuild_lists, p::pack_images,
+    p::extrapolate_walls, p::sweep_all,      p::sample_energy, p::choose_time_step,
+    p::advance_verlet,    p::hold_off_faces, p::watch,         p::end_step};
+
+/// The first kick needs the acceleration.
+constexpr Phase kick_drift_kick_stage_start[]{
+    p::enter_stage, p::pack_soil,         p::decide_rebuild, p::rebuild_lists,
+    p::pack_images, p::extrapolate_walls, p::sweep_force,    p::start_ledger};
+constexpr Phase kick_drift_kick_step[]{
+    p::choose_time_step,  p::kick_half,      p::hold_off_faces, p::drift_half,
+    p::pack_soil,         p::decide_rebuild, p::rebuild_lists,  p::pack_images,
+    p::extrapolate_walls, p::sweep_gradient, p::advance_stress, p::drift_half,
+    p::pack_soil,         p::decide_rebuild, p::rebuild_lists,  p::pack_images,
+    p::extrapolate_walls, p::sweep_force,    p::kick_half,      p::hold_off_faces,
+    p::sample_energy,     p::watch,          p::end_step};
+
+}  // namespace
+
+StepPhases phases_of(Integrator integrator) {
+  if (integrator == Integrator::verlet) return {verlet_stage_start, verlet_step};
+  return {kick_drift_kick_stage_start, kick_drift_kick_step};
+}
+
+}  // namespace scarp

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The phases of each integrator in their order.
+#pragma once
+
+#include "engine/scene/scene.hpp"
+#include "engine/step/phase.hpp"
+
+namespace scarp {
+
+/// `stage_start` runs before the first step of a stage, `step` in every step.
+struct StepPhases {
+  PhaseList stage_start, step;
+};
+StepPhases phases_of(Integrator integrator);
+
+}  // namespace scarp

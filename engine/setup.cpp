@@ -104,7 +104,7 @@ void fill_particles(State& state, const SoilPoints& soil) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const auto count = std::count(soil.material.begin(), soil.material.end(), m);
     if (count == 0) continue;
-    groups.push_back({first, count, padded(count), m});
+    groups.push_back({first, count, padded(count), m, scene.materials[m].density});
     first += padded(count);
   }
   state.particles = ParticleBuffers(dimension, groups, used_fields(scene, state.kernels));
@@ -114,7 +114,6 @@ void fill_particles(State& state, const SoilPoints& soil) {
     above = soil_above(scene, soil, state.threads);
   const Vec3 up = upward(scene);
   for (const ParticleGroup& group : groups) {
-    const Material& material = scene.materials[group.material];
     const double k0 = state.material_constants[group.material].k0;
     std::int64_t slot = group.first;
     for (std::size_t id = 0; id < soil.position.size(); ++id) {
@@ -123,7 +122,6 @@ void fill_particles(State& state, const SoilPoints& soil) {
       for (int a = 0; a < dimension; ++a) {
         const auto axis = static_cast<std::size_t>(a);
         p.component(Field::position, a)[slot] = soil.position[id][axis];
-        p.component(Field::reference_position, a)[slot] = soil.position[id][axis];
         p.component(Field::velocity, a)[slot] = soil.velocity[id][axis];
       }
       std::array<double, 6> stress = scene.uniform_stress;
@@ -134,12 +132,8 @@ void fill_particles(State& state, const SoilPoints& soil) {
       }
       ++slot;
     }
-    std::fill_n(p.component(Field::density) + group.first, group.capacity, material.density);
-    if (p.has(Field::previous_density)) {
-      std::fill_n(p.component(Field::previous_density) + group.first, group.capacity,
-                  material.density);
-    }
   }
+  p.start_from_here();
 }
 
 void set_pair_constants(State& state) {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
+#include "engine/particles/readable.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
@@ -26,6 +28,22 @@ double noise(std::uint64_t key) {
   key = (key ^ (key >> 30)) * 0xBF58476D1CE4E5B9u;
   key = (key ^ (key >> 27)) * 0x94D049BB133111EBu;
   return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-52 - 1.0;
+}
+
+/// Empty: frames do not hold it.
+std::optional<FieldInfo::Numbers> numbers_in_frames(Readout readout) {
+  switch (readout) {
+    case Readout::real:
+      return FieldInfo::Numbers::real;
+    case Readout::int32:
+      return FieldInfo::Numbers::int32;
+    case Readout::int64:
+      return FieldInfo::Numbers::int64;
+    case Readout::inside:
+    case Readout::by_name:
+      break;
+  }
+  return {};
 }
 
 /// What a Simulation owns, unless it has been moved from.
@@ -179,58 +197,32 @@ std::size_t Simulation::wall_count() const {
 
 std::vector<FieldInfo> Simulation::fields() const {
   std::vector<FieldInfo> infos;
-  for (const FieldRow& field : field_list) {
-    if (field.output && owned(impl_).state.particles.has(field.field)) {
-      infos.push_back({field.name, field.unit, component_count(field.rank), field.description});
-    }
+  for (const FieldRow& field : owned(impl_).state.particles.rows()) {
+    const auto numbers = numbers_in_frames(field.readout);
+    if (!numbers) continue;
+    infos.push_back(
+        {field.name, field.unit, component_count(field.rank), field.description, *numbers});
   }
-  infos.push_back({"displacement", "m", 3, "displacement since the last reset"});
   return infos;
 }
 
 std::vector<double> Simulation::field(std::string_view name) const {
   const State& state = owned(impl_).state;
-  const ParticleBuffers& p = state.particles;
-  const std::vector<std::int64_t> slots = owned(impl_).slot_of_id();
-  const auto gather = [&](int components, auto&& value) {
-    std::vector<double> out(slots.size() * static_cast<std::size_t>(components));
-    for (std::size_t id = 0; id < slots.size(); ++id) {
-      for (int c = 0; c < components; ++c) {
-        out[id * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] =
-            value(id, slots[id], c);
-      }
+  const Readable from{state.particles, state.lost_ids};
+  std::string known;
+  for (const FieldRow& field : state.particles.rows()) {
+    if (field.readout == Readout::inside) continue;
+    if (name != field.name) {
+      known += (known.empty() ? "" : ", ") + std::string(field.name);
+      continue;
     }
-    return out;
-  };
-  const auto read = [&](Field field, std::int64_t slot, int c) {
-    const double* array = p.component(field, c);
-    return array != nullptr ? array[slot] : 0.0;
-  };
-  if (name == "id")
-    return gather(1, [](std::size_t id, std::int64_t, int) { return static_cast<double>(id); });
-  if (name == "displacement") {
-    return gather(3, [&](std::size_t, std::int64_t slot, int c) {
-      return read(Field::position, slot, c) - read(Field::reference_position, slot, c);
-    });
+    std::vector<double> values;
+    for (const std::int64_t slot : owned(impl_).slot_of_id()) {
+      for (int c = 0; c < component_count(field.rank); ++c)
+        values.push_back(from.value(field, slot, c));
+    }
+    return values;
   }
-  if (name == "material") {
-    return gather(1, [&](std::size_t, std::int64_t slot, int) {
-      return static_cast<double>(p.group_of(slot).material);
-    });
-  }
-  if (name == "lost") {
-    return gather(
-        1, [&](std::size_t, std::int64_t slot, int) { return state.is_lost(slot) ? 1.0 : 0.0; });
-  }
-  for (const FieldRow& field : field_list) {
-    const bool readable = field.output || field.field == Field::position;
-    if (name != field.name || !readable || !p.has(field.field)) continue;
-    return gather(component_count(field.rank), [&](std::size_t, std::int64_t slot, int c) {
-      return read(field.field, slot, c);
-    });
-  }
-  std::string known = "position, id, material, lost";
-  for (const FieldInfo& info : fields()) known += ", " + info.name;
   throw Error(fmt::format("no field '{}' in this run; there are {}", name, known));
 }
 

@@ -28,6 +28,8 @@ struct FieldInfo {
   std::string unit;
   int components = 1;  ///< 1, 3 (x, y, z) or 6 (xx, yy, zz, xy, yz, zx)
   std::string description;
+  /// How frames hold it: as 32-bit floating point or as whole numbers.
+  enum class Numbers { real, int32, int64 } numbers = Numbers::real;
 };
 
 /// Wall time of one phase of the step, over all steps so far.
@@ -86,10 +88,10 @@ class Simulation {
   bool stage_reached_rest() const;  ///< ... because everything came to rest, not by its time
 
   std::size_t soil_count() const;
-  std::size_t wall_count() const;  ///< dummy particles of the walls
-  std::vector<FieldInfo> fields() const;
+  std::size_t wall_count() const;         ///< dummy particles of the walls
+  std::vector<FieldInfo> fields() const;  ///< what frames hold of each particle
   /// Values of the soil particles in order of their permanent id, `components` per particle, SI.
-  /// Also "position", "id", "material" and "lost" (1 or 0). Throws Error for an unknown name.
+  /// Also "position" and "lost" (1 or 0). Throws Error for an unknown name.
   std::vector<double> field(std::string_view name) const;
   std::vector<double> wall_positions() const;  ///< 3 per dummy particle
 

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/scene/numerics_list.hpp"
+
 namespace scarp {
 namespace {
 
@@ -34,26 +36,15 @@ class Lines {
   std::string section_, text_;
 };
 
-void add_numerics(Lines& lines, const Numerics& n) {
+void add_numerics(Lines& lines, const Numerics& numerics) {
   lines.section("numerics.");
-  lines.add("smoothing", n.smoothing);
-  lines.add("smoothing_ratio", n.smoothing_ratio);
-  lines.add("lattice_normalisation", n.lattice_normalisation);
-  lines.add("gradient_correction", n.gradient_correction);
-  lines.add("stress_rotation", n.stress_rotation);
-  lines.add("viscosity_alpha", n.viscosity_alpha);
-  lines.add("viscosity_beta", n.viscosity_beta);
-  lines.add("artificial_stress", n.artificial_stress);
-  lines.add("artificial_stress_exponent", n.artificial_stress_exponent.value_or(0.0));
-  lines.add("stress_diffusion", n.stress_diffusion);
-  lines.add("diffusion_shear_gate", n.diffusion_shear_gate);
-  lines.add("integrator", n.integrator);
-  lines.add("verlet_restart_interval", n.verlet_restart_interval);
-  lines.add("cfl", n.cfl);
-  lines.add("skin", n.skin);
-  lines.add("density_minimum", n.density_minimum);
-  lines.add("density_maximum", n.density_maximum);
-  lines.add("precision", n.precision);
+  for (const NumericsRow& row : numerics_list) {
+    if (row.kind == NumericsRow::Kind::truth) {
+      lines.add(row.key, row.get(numerics) != 0.0);
+    } else {
+      lines.add(row.key, row.get(numerics));
+    }
+  }
 }
 
 struct ShapeLines {

@@ -18,7 +18,9 @@
 namespace scarp {
 namespace {
 
-bool kept(const FieldRow& field) { return field.lifetime != Lifetime::rate; }
+bool kept(const FieldRow& field) {
+  return field.lifetime == Lifetime::state || field.lifetime == Lifetime::step_end;
+}
 
 std::vector<int> stored_components(const FieldRow& field, int dimension) {
   std::vector<int> stored;
@@ -169,8 +171,8 @@ void take_fields(Snapshot& out, const State& state) {
   const ParticleBuffers& p = state.particles;
   const auto slots = static_cast<std::size_t>(p.slots());
   out.add({"particles/id", "", {slots}, p.ids()});
-  for (const FieldRow& field : field_list) {
-    if (!p.has(field.field) || !kept(field)) continue;
+  for (const FieldRow& field : p.rows()) {
+    if (!kept(field)) continue;
     const std::vector<int> components = stored_components(field, state.scene.dimension);
     std::vector<double> values;
     values.reserve(components.size() * slots);
@@ -185,15 +187,16 @@ void take_fields(Snapshot& out, const State& state) {
   }
 }
 
-void put_field(const Snapshot& from, std::string_view stored, Field field, State& state) {
+/// `to`: the field that takes the values, of the same rank as the one they are stored under.
+void put_field(const Snapshot& from, const FieldRow& stored, Field to, State& state) {
   ParticleBuffers& p = state.particles;
-  const std::vector<int> components = stored_components(row(field), state.scene.dimension);
+  const std::vector<int> components = stored_components(stored, state.scene.dimension);
   const auto slots = static_cast<std::size_t>(p.slots());
   const std::vector<double>& values =
-      finite_numbers(from, fmt::format("fields/{}", stored), components.size() * slots);
+      finite_numbers(from, fmt::format("fields/{}", stored.name), components.size() * slots);
   auto next = values.begin();
   for (const int c : components) {
-    std::copy_n(next, slots, p.component(field, c));
+    std::copy_n(next, slots, p.component(to, c));
     next += static_cast<std::ptrdiff_t>(slots);
   }
 }
@@ -265,7 +268,7 @@ void put_lost(const Snapshot& from, State& state) {
 
 /// Lists depend on nothing but what stood where when they were built.
 void build_lists_again(const Snapshot& from, State& state) {
-  put_field(from, row(Field::build_position).name, Field::position, state);
+  put_field(from, row(Field::build_position), Field::position, state);
   put_vectors(from, "walls/built_offset", state.boundary.offset);
   if (from.has("walls/built_position"))
     put_dummies(from, "walls/built_position", state.boundary.walls);
@@ -304,9 +307,9 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
         fmt::format("it belongs to another scene: there {}. Try the scene it was written with.",
                     first_difference(stored, here)));
   }
-  for (const Field field : {Field::position, Field::build_position}) {
-    if (state.particles.has(field))
-      require_near(snapshot, fmt::format("fields/{}", row(field).name), state);
+  for (const FieldRow& field : state.particles.rows()) {
+    if (field.check == Check::near)
+      require_near(snapshot, fmt::format("fields/{}", field.name), state);
   }
   put_walls(snapshot, state);
   put_ids(snapshot, state);
@@ -319,9 +322,8 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   if (lists_valid) build_lists_again(snapshot, state);
   state.neighbours.valid = lists_valid;
   state.boundary.moved = walls_moved;
-  for (const FieldRow& field : field_list) {
-    if (state.particles.has(field.field) && kept(field))
-      put_field(snapshot, field.name, field.field, state);
+  for (const FieldRow& field : state.particles.rows()) {
+    if (kept(field)) put_field(snapshot, field, field.field, state);
   }
   put_vectors(snapshot, "walls/offset", state.boundary.offset);
   if (snapshot.has("walls/position")) put_dummies(snapshot, "walls/position", state.boundary.walls);

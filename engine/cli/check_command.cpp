@@ -21,6 +21,7 @@
 #include "engine/fos/dilation_note.hpp"
 #include "engine/particles/shapes.hpp"
 #include "engine/plain_text.hpp"
+#include "engine/scene/numerics_list.hpp"
 #include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
@@ -166,7 +167,7 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
                      simulation.scene().spacing, simulation.soil_count()));
   }
   line("neighbours", fmt::format("{} per particle", lattice_neighbours(scene)));
-  line("preset", scene.numerics.preset);
+  line("preset", preset_and_changes(scene.numerics));
   line("machine", fmt::format("{}, up to {} threads", simulation.isa(), simulation.threads()));
   line("memory", fmt::format("about {} at its peak, of which {} hold the state",
                              readable_bytes(json["memory_bytes"].get<double>()),

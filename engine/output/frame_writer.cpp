@@ -114,18 +114,25 @@ void fill(hdf5::NewFile& file, const Simulation& simulation, std::string_view ev
   write_grid(file, simulation.field("position"), simulation.scene().spacing);
   write_moment(file, simulation, event);
   for (const FieldInfo& field : simulation.fields()) {
-    if (field.name == "position" || field.name == "id" || field.name == "material") continue;
     const std::string name = "VTKHDF/PointData/" + field.name;
-    const auto values = converted<float>(simulation.field(field.name));
+    const std::vector<double> values = simulation.field(field.name);
     const auto components = static_cast<hsize_t>(field.components);
     hdf5::NewFile::Shape shape{values.size() / components};
     if (components > 1) shape.push_back(components);
-    file.dataset(name, values, shape);
+    switch (field.numbers) {
+      case FieldInfo::Numbers::real:
+        file.dataset(name, converted<float>(values), shape);
+        break;
+      case FieldInfo::Numbers::int32:
+        file.dataset(name, converted<std::int32_t>(values), shape);
+        break;
+      case FieldInfo::Numbers::int64:
+        file.dataset(name, converted<std::int64_t>(values), shape);
+        break;
+    }
     file.attribute(name, "unit", field.unit);
     file.attribute(name, "description", field.description);
   }
-  file.dataset("VTKHDF/PointData/id", converted<std::int64_t>(simulation.field("id")));
-  file.dataset("VTKHDF/PointData/material", converted<std::int32_t>(simulation.field("material")));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "engine/machine.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/scene/numerics_list.hpp"
 
 namespace scarp {
 namespace {
@@ -29,24 +30,26 @@ Json json_of(const Measure& measure) {
   return json;
 }
 
-Json json_of(const Numerics& n) {
-  return {{"smoothing", word(n.smoothing)},
-          {"smoothing_ratio", n.smoothing_ratio},
-          {"lattice_normalisation", n.lattice_normalisation},
-          {"gradient_correction", n.gradient_correction},
-          {"stress_rotation", word(n.stress_rotation)},
-          {"viscosity_alpha", n.viscosity_alpha},
-          {"viscosity_beta", n.viscosity_beta},
-          {"artificial_stress", n.artificial_stress},
-          {"artificial_stress_exponent", n.artificial_stress_exponent.value_or(0.0)},
-          {"stress_diffusion", n.stress_diffusion},
-          {"diffusion_shear_gate", n.diffusion_shear_gate},
-          {"integrator", word(n.integrator)},
-          {"verlet_restart_interval", n.verlet_restart_interval},
-          {"cfl", n.cfl},
-          {"skin", n.skin},
-          {"density_minimum", n.density_minimum},
-          {"density_maximum", n.density_maximum}};
+Json json_of(const Numerics& numerics) {
+  Json json;
+  for (const NumericsRow& row : numerics_list) {
+    const double value = row.get(numerics);
+    switch (row.kind) {
+      case NumericsRow::Kind::truth:
+        json[std::string(row.key)] = value != 0.0;
+        break;
+      case NumericsRow::Kind::integer:
+        json[std::string(row.key)] = static_cast<int>(value);
+        break;
+      case NumericsRow::Kind::choice:
+        json[std::string(row.key)] = row.written(numerics);
+        break;
+      case NumericsRow::Kind::number:
+        json[std::string(row.key)] = value;
+        break;
+    }
+  }
+  return json;
 }
 
 Json json_of(const Instability& what) {

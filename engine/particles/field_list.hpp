@@ -4,13 +4,16 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace scarp {
 
+struct Readable;
+
 /// What a field must survive: `state` is carried through a re-sort; `step_end` is a rate that the
 /// next step's size is chosen by, before any re-sort; `rate` lives within a step. A snapshot holds
-/// the first two.
-enum class Lifetime { state, step_end, rate };
+/// the first two. `derived` fields are stored nowhere: `FieldRow::derived` computes them.
+enum class Lifetime { state, step_end, rate, derived };
 
 enum class Field : std::size_t {
   position,
@@ -34,10 +37,36 @@ enum class Field : std::size_t {
   approach_rate,
   diffusion_rate,
   diffusion_slope,
+  displacement,
+  id,
+  material,
+  lost,
   count
 };
 
 enum class Rank { scalar, vector, symmetric, tensor };
+
+/// What all slots hold, padding included, until something else is put in. A reset puts it back.
+struct Initial {
+  enum class From { value, position, reference_density } from = From::value;
+  double value = 0.0;
+};
+
+/// Whether the end of a stage with `reset_after` puts the initial value back.
+enum class Reset { kept, reset };
+
+/// Whether a copy of a particle that stands in for it elsewhere (a ghost) must carry the field:
+/// everything that a neighbour reads of a particle.
+enum class Ghost { own, ghost };
+
+/// When a value that is not finite ends the run: never; where the step's size is chosen by it, in
+/// each step; and besides when the watch looks at the whole soil. `near`: a position, which in a
+/// snapshot must be near those of the scene.
+enum class Check { unchecked, each_step, each_look, near };
+
+/// Where a field can be read: nowhere outside the engine; by its name, with Simulation::field; in
+/// frames too, as numbers of 32-bit floating point or whole numbers.
+enum class Readout { inside, by_name, real, int32, int64 };
 
 struct FieldRow {
   Field field;
@@ -45,53 +74,92 @@ struct FieldRow {
   const char* unit;
   Rank rank;
   Lifetime lifetime;
-  bool output;  ///< written to frames and readable through Simulation::field
+  Initial initial;
+  Reset reset;
+  Ghost ghost;
+  Check check;
+  Readout readout;
   const char* description;
+  /// Of a derived field: the value of one component in a slot.
+  double (*derived)(const Readable& from, std::int64_t slot, int component) = nullptr;
 };
 
-inline constexpr std::array<FieldRow, static_cast<std::size_t>(Field::count)> field_list{{
-    {Field::position, "position", "m", Rank::vector, Lifetime::state, false, "position"},
-    {Field::velocity, "velocity", "m/s", Rank::vector, Lifetime::state, true, "velocity"},
-    {Field::density, "density", "kg/m3", Rank::scalar, Lifetime::state, true, "density"},
-    {Field::stress, "stress", "Pa", Rank::symmetric, Lifetime::state, true,
-     "stress, tension positive"},
-    {Field::previous_velocity, "previous_velocity", "m/s", Rank::vector, Lifetime::state, false,
-     "velocity one step before (Verlet)"},
-    {Field::previous_density, "previous_density", "kg/m3", Rank::scalar, Lifetime::state, false,
-     "density one step before (Verlet)"},
-    {Field::previous_stress, "previous_stress", "Pa", Rank::symmetric, Lifetime::state, false,
-     "stress one step before (Verlet)"},
-    {Field::accumulated_plastic_strain, "accumulated_plastic_strain", "-", Rank::scalar,
-     Lifetime::state, true, "accumulated equivalent deviatoric plastic strain"},
-    {Field::reference_position, "reference_position", "m", Rank::vector, Lifetime::state, false,
-     "position that displacement counts from"},
-    {Field::build_position, "build_position", "m", Rank::vector, Lifetime::state, false,
-     "position when the neighbour lists were built"},
-    {Field::diffusivity, "diffusivity", "m2/s", Rank::scalar, Lifetime::state, false,
-     "diffusivity of the stress diffusion"},
-    {Field::stress_work, "stress_work", "J/kg", Rank::scalar, Lifetime::state, false,
-     "work of the stress on the strain"},
-    {Field::plastic_work, "plastic_work", "J/kg", Rank::scalar, Lifetime::state, true,
-     "work of the stress on the plastic strain"},
-    {Field::diffusion_work, "diffusion_work", "J/kg", Rank::scalar, Lifetime::state, false,
-     "elastic energy taken by the stress diffusion"},
-    {Field::acceleration, "acceleration", "m/s2", Rank::vector, Lifetime::state, false,
-     "acceleration without gravity and damping"},
-    {Field::density_rate, "density_rate", "kg/m3/s", Rank::scalar, Lifetime::rate, false,
-     "density rate"},
-    {Field::velocity_gradient, "velocity_gradient", "1/s", Rank::tensor, Lifetime::rate, false,
-     "velocity gradient as the sweep sums it"},
-    {Field::moment, "moment", "-", Rank::symmetric, Lifetime::rate, false,
-     "moment of the gradient correction"},
-    {Field::approach_rate, "approach_rate", "m/s", Rank::scalar, Lifetime::step_end, false,
-     "largest rate of approach of a neighbour"},
-    {Field::diffusion_rate, "diffusion_rate", "Pa/s", Rank::symmetric, Lifetime::rate, false,
-     "stress rate of the diffusion before its lithostatic part"},
-    {Field::diffusion_slope, "diffusion_slope", "m2/s3", Rank::scalar, Lifetime::rate, false,
-     "lithostatic weight of the diffusion"},
-}};
+// engine/particles/readable.cpp
+double displacement_of(const Readable& from, std::int64_t slot, int component);
+double id_of(const Readable& from, std::int64_t slot, int component);
+double material_of(const Readable& from, std::int64_t slot, int component);
+double lost_of(const Readable& from, std::int64_t slot, int component);
+
+/// One row per field: what each part of the engine does with it follows from its columns.
+inline constexpr std::array<FieldRow, static_cast<std::size_t>(Field::count)> field_list = [] {
+  using enum Rank;
+  using enum Lifetime;
+  using enum Reset;
+  using enum Ghost;
+  using enum Check;
+  using enum Readout;
+  constexpr Initial zero{}, place{Initial::From::position},
+      reference_density{Initial::From::reference_density};
+  return std::array<FieldRow, static_cast<std::size_t>(Field::count)>{{
+      {Field::position, "position", "m", vector, state, zero, kept, ghost, near, by_name,
+       "position"},
+      {Field::velocity, "velocity", "m/s", vector, state, zero, reset, ghost, each_step, real,
+       "velocity"},
+      {Field::density, "density", "kg/m3", scalar, state, reference_density, kept, ghost, each_look,
+       real, "density"},
+      {Field::stress, "stress", "Pa", symmetric, state, zero, kept, ghost, each_look, real,
+       "stress, tension positive"},
+      {Field::previous_velocity, "previous_velocity", "m/s", vector, state, zero, kept, own,
+       unchecked, inside, "velocity one step before (Verlet)"},
+      {Field::previous_density, "previous_density", "kg/m3", scalar, state, reference_density, kept,
+       own, unchecked, inside, "density one step before (Verlet)"},
+      {Field::previous_stress, "previous_stress", "Pa", symmetric, state, zero, kept, own,
+       unchecked, inside, "stress one step before (Verlet)"},
+      {Field::accumulated_plastic_strain, "accumulated_plastic_strain", "-", scalar, state, zero,
+       reset, own, unchecked, real, "accumulated equivalent deviatoric plastic strain"},
+      {Field::reference_position, "reference_position", "m", vector, state, place, reset, own,
+       unchecked, inside, "position that displacement counts from"},
+      {Field::build_position, "build_position", "m", vector, state, zero, kept, own, near, inside,
+       "position when the neighbour lists were built"},
+      {Field::diffusivity, "diffusivity", "m2/s", scalar, state, zero, kept, ghost, unchecked,
+       inside, "diffusivity of the stress diffusion"},
+      {Field::stress_work, "stress_work", "J/kg", scalar, state, zero, reset, own, unchecked,
+       inside, "work of the stress on the strain"},
+      {Field::plastic_work, "plastic_work", "J/kg", scalar, state, zero, reset, own, unchecked,
+       real, "work of the stress on the plastic strain"},
+      {Field::diffusion_work, "diffusion_work", "J/kg", scalar, state, zero, reset, own, unchecked,
+       inside, "elastic energy taken by the stress diffusion"},
+      {Field::acceleration, "acceleration", "m/s2", vector, state, zero, kept, own, each_step,
+       inside, "acceleration without gravity and damping"},
+      {Field::density_rate, "density_rate", "kg/m3/s", scalar, rate, zero, kept, own, unchecked,
+       inside, "density rate"},
+      {Field::velocity_gradient, "velocity_gradient", "1/s", tensor, rate, zero, kept, own,
+       unchecked, inside, "velocity gradient as the sweep sums it"},
+      {Field::moment, "moment", "-", symmetric, rate, zero, kept, own, unchecked, inside,
+       "moment of the gradient correction"},
+      {Field::approach_rate, "approach_rate", "m/s", scalar, step_end, zero, kept, own, each_step,
+       inside, "largest rate of approach of a neighbour"},
+      {Field::diffusion_rate, "diffusion_rate", "Pa/s", symmetric, rate, zero, kept, own, unchecked,
+       inside, "stress rate of the diffusion before its lithostatic part"},
+      {Field::diffusion_slope, "diffusion_slope", "m2/s3", scalar, rate, zero, kept, own, unchecked,
+       inside, "lithostatic weight of the diffusion"},
+      {Field::displacement, "displacement", "m", vector, derived, zero, kept, own, unchecked, real,
+       "displacement since the last reset", displacement_of},
+      {Field::id, "id", "-", scalar, derived, zero, kept, own, unchecked, int64,
+       "permanent number of the particle", id_of},
+      {Field::material, "material", "-", scalar, derived, zero, kept, own, unchecked, int32,
+       "index of the material in the scene", material_of},
+      {Field::lost, "lost", "-", scalar, derived, zero, kept, own, unchecked, by_name,
+       "1 where the particle is lost, else 0", lost_of},
+  }};
+}();
 
 constexpr const FieldRow& row(Field field) { return field_list[static_cast<std::size_t>(field)]; }
+
+/// The field of the k-th row that the soil models of a run declare beyond `field_list`.
+constexpr Field declared_field(std::size_t k) {
+  return static_cast<Field>(static_cast<std::size_t>(Field::count) + k);
+}
 
 /// Stored components of a rank: 2D leaves out z, yz and zx.
 constexpr bool stores_component(Rank rank, int component, int dimension) {

@@ -10,20 +10,35 @@
 namespace scarp {
 
 ParticleBuffers::ParticleBuffers(int dimension, std::vector<ParticleGroup> groups,
-                                 std::span<const Field> used)
-    : dimension_(dimension), groups_(std::move(groups)) {
+                                 std::span<const Field> used, std::span<const FieldRow> declared)
+    : dimension_(dimension),
+      groups_(std::move(groups)),
+      data_(static_cast<std::size_t>(Field::count) + declared.size()) {
   for (const ParticleGroup& group : groups_) slots_ += group.capacity;
   ids_.assign(static_cast<std::size_t>(slots_), -1);
-  for (const Field field : used) {
-    const auto index = static_cast<std::size_t>(field);
-    used_[index] = true;
-    const double padding = field == Field::density || field == Field::previous_density ? 1.0 : 0.0;
-    for (int c = 0; c < component_count(row(field).rank); ++c) {
-      if (stores_component(row(field).rank, c, dimension)) {
-        data_[index][static_cast<std::size_t>(c)].assign(static_cast<std::size_t>(slots_), padding);
-      }
+  const auto add = [&](bool of_the_run, const FieldRow& field) {
+    if (of_the_run) rows_.push_back(field);
+  };
+  const auto stored = [](const FieldRow& field) { return field.lifetime != Lifetime::derived; };
+  for (const FieldRow& field : field_list)
+    add(stored(field) && std::find(used.begin(), used.end(), field.field) != used.end(), field);
+  for (const FieldRow& field : declared) add(true, field);
+  for (const FieldRow& field : field_list) add(!stored(field), field);
+  for (const FieldRow& field : rows_) {
+    if (!stored(field)) continue;
+    for (int c = 0; c < component_count(field.rank); ++c) {
+      if (!stores_component(field.rank, c, dimension)) continue;
+      data_[static_cast<std::size_t>(field.field)][static_cast<std::size_t>(c)].resize(
+          static_cast<std::size_t>(slots_));
     }
+    put_initial(field);
   }
+}
+
+bool ParticleBuffers::has(Field field) const {
+  return std::any_of(rows_.begin(), rows_.end(), [field](const FieldRow& row) {
+    return row.field == field && row.lifetime != Lifetime::derived;
+  });
 }
 
 const double* ParticleBuffers::component(Field field, int index) const {
@@ -57,13 +72,44 @@ void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order) 
     });
     array.swap(sorted);
   };
-  for (const FieldRow& field : field_list) {
+  for (const FieldRow& field : rows_) {
     if (field.lifetime != Lifetime::state) continue;
     for (auto& array : data_[static_cast<std::size_t>(field.field)]) {
       if (!array.empty()) gather(array);
     }
   }
   gather(ids_);
+}
+
+void ParticleBuffers::put_initial(const FieldRow& field) {
+  for (int c = 0; c < component_count(field.rank); ++c) {
+    double* array = component(field.field, c);
+    if (array == nullptr) continue;
+    switch (field.initial.from) {
+      case Initial::From::value:
+        std::fill_n(array, slots_, field.initial.value);
+        break;
+      case Initial::From::position:
+        std::copy_n(component(Field::position, c), slots_, array);
+        break;
+      case Initial::From::reference_density:
+        for (const ParticleGroup& group : groups_)
+          std::fill_n(array + group.first, group.capacity, group.reference_density);
+        break;
+    }
+  }
+}
+
+void ParticleBuffers::start_from_here() {
+  for (const FieldRow& field : rows_) {
+    if (field.initial.from == Initial::From::position) put_initial(field);
+  }
+}
+
+void ParticleBuffers::reset() {
+  for (const FieldRow& field : rows_) {
+    if (field.reset == Reset::reset) put_initial(field);
+  }
 }
 
 std::size_t ParticleBuffers::bytes() const {

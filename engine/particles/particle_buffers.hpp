@@ -18,6 +18,7 @@ struct ParticleGroup {
   std::int64_t count = 0;
   std::int64_t capacity = 0;
   std::size_t material = 0;
+  double reference_density = 1.0;  ///< [kg/m3]
 
   std::int64_t end() const { return first + count; }
   std::int64_t padded_end() const { return first + capacity; }
@@ -30,13 +31,18 @@ constexpr std::int64_t padded(std::int64_t count) {
   return (count + group_alignment - 1) / group_alignment * group_alignment;
 }
 
-/// SoA arrays of a chosen set of fields. Padding slots stay at rest far away with density 1.
+/// SoA arrays of the fields that a run uses. Padding slots keep the initial value of each field.
 class ParticleBuffers {
  public:
   ParticleBuffers() = default;
-  ParticleBuffers(int dimension, std::vector<ParticleGroup> groups, std::span<const Field> used);
+  /// `declared`: rows of fields beyond `field_list`, which soil models bring along; the k-th is
+  /// the field `declared_field(k)`.
+  ParticleBuffers(int dimension, std::vector<ParticleGroup> groups, std::span<const Field> used,
+                  std::span<const FieldRow> declared = {});
 
-  bool has(Field field) const { return used_[static_cast<std::size_t>(field)]; }
+  /// The fields of the run in the table's order: stored and declared ones, then derived ones.
+  const std::vector<FieldRow>& rows() const { return rows_; }
+  bool has(Field field) const;
   /// The array of one component, or null where the field is not used or the component not stored.
   double* component(Field field, int index = 0);
   const double* component(Field field, int index = 0) const;
@@ -59,14 +65,20 @@ class ParticleBuffers {
 
   /// Moves slot order[k] to slot first + k within each group, for every field of lifetime `state`.
   void permute(int threads, std::span<const std::int32_t> order);
+  /// Gives the fields that count from the present position their start; where particles are put.
+  void start_from_here();
+  /// Puts the initial value back into every field that is reset at the end of a stage.
+  void reset();
   std::size_t bytes() const;
 
  private:
+  void put_initial(const FieldRow& field);
+
   int dimension_ = 2;
   std::int64_t slots_ = 0;
   std::vector<ParticleGroup> groups_;
-  std::array<bool, static_cast<std::size_t>(Field::count)> used_{};
-  std::array<std::array<AlignedVector<double>, 9>, static_cast<std::size_t>(Field::count)> data_;
+  std::vector<FieldRow> rows_;
+  std::vector<std::array<AlignedVector<double>, 9>> data_;  ///< by field
   std::vector<std::int64_t> ids_;
 };
 

@@ -50,7 +50,8 @@ requires(!words<Choice>.empty()) constexpr std::string_view word(Choice choice) 
   return rest.substr(0, rest.find('|'));
 }
 
-/// One row per line of the presets' table (`engine/scene/SCENE.md`); `preset()` fills them.
+/// `engine/scene/numerics_list.hpp` has one row for each member; the defaults are the preset
+/// "modern".
 struct Numerics {
   std::string preset = "modern";
   SmoothingFunction smoothing = SmoothingFunction::cubic_spline;

@@ -8,6 +8,7 @@
 
 #include "engine/plain_text.hpp"
 #include "engine/scene/nearest_name.hpp"
+#include "engine/scene/numerics_list.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/scene_problem.hpp"
 #include "engine/scene/smoothing_choice.hpp"
@@ -24,30 +25,20 @@ using checks::rule;
 void check_numerics(const Numerics& n) {
   rule(n.preset == "modern" || n.preset == "paper", "preset", '"' + n.preset + '"',
        "there is no such preset. Try \"modern\" or \"paper\".");
-  const auto key = [](const char* row) { return fmt::format("numerics.{}", row); };
-  inside(n.smoothing_ratio, 0.8, 3.0, key("smoothing_ratio"));
-  inside(n.viscosity_alpha, 0.0, 100.0, key("viscosity_alpha"));
-  inside(n.viscosity_beta, 0.0, 100.0, key("viscosity_beta"));
-  inside(n.artificial_stress, 0.0, 10.0, key("artificial_stress"));
-  if (n.artificial_stress_exponent)
-    positive(*n.artificial_stress_exponent, 20.0, key("artificial_stress_exponent"));
+  for (const NumericsRow& row : numerics_list)
+    inside(row.get(n), row.minimum, row.maximum, fmt::format("numerics.{}", row.key));
+  const std::string key = "numerics.artificial_stress_exponent";
+  if (n.artificial_stress_exponent) positive(*n.artificial_stress_exponent, 20.0, key);
   if (n.artificial_stress > 0.0) {
     const double error = tension_factor_of(n).error;
     const bool fits = error < 0.01;
-    rule(fits, key("artificial_stress_exponent"),
+    rule(fits, key,
          n.artificial_stress_exponent ? fmt::format("{}", *n.artificial_stress_exponent)
                                       : "\"auto\"",
          fmt::format("the sweep's polynomials miss F^n by {:.1f} %, more than 1 %. Try an exponent "
                      "between 0.5 and 4.",
                      100.0 * error));
   }
-  inside(n.stress_diffusion, 0.0, 1.0, key("stress_diffusion"));
-  inside(n.diffusion_shear_gate, 0.0, 1e6, key("diffusion_shear_gate"));
-  inside(n.verlet_restart_interval, 1, 1e6, key("verlet_restart_interval"));
-  inside(n.cfl, 1e-6, 2.0, key("cfl"));
-  inside(n.skin, 0.0, 2.0, key("skin"));
-  inside(n.density_minimum, 0.01, 1.0, key("density_minimum"));
-  inside(n.density_maximum, 1.0, 10.0, key("density_maximum"));
 }
 
 /// Names stand in tables and file names of the results.

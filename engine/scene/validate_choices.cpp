@@ -2,27 +2,30 @@
 /// Rules about choices that are enumerators.
 #include <fmt/format.h>
 
+#include "engine/scene/numerics_list.hpp"
 #include "engine/scene/validate_parts.hpp"
 
 namespace scarp::checks {
 namespace {
 
+void known(double number, double last, const std::string& path) {
+  rule(number >= 0.0 && number <= last, path, fmt::format("{}", number),
+       "it is no value of this choice. Try one of its enumerators.");
+}
+
 /// `last`: the enumerator with the highest number.
 template <class Choice>
 void choice(Choice value, Choice last, const std::string& path) {
-  const auto number = static_cast<long>(value);
-  rule(number >= 0 && number <= static_cast<long>(last), path, fmt::format("{}", number),
-       "it is no value of this choice. Try one of its enumerators.");
+  known(static_cast<double>(value), static_cast<double>(last), path);
 }
 
 }  // namespace
 
 void choices(const Scene& scene) {
-  const Numerics& n = scene.numerics;
-  choice(n.smoothing, SmoothingFunction::wendland_c2, "numerics.smoothing");
-  choice(n.stress_rotation, StressRotation::hughes_winget, "numerics.stress_rotation");
-  choice(n.integrator, Integrator::kick_drift_kick, "numerics.integrator");
-  choice(n.precision, Precision::mixed, "numerics.precision");
+  for (const NumericsRow& row : numerics_list) {
+    if (row.kind == NumericsRow::Kind::choice)
+      known(row.get(scene.numerics), row.maximum, fmt::format("numerics.{}", row.key));
+  }
   choice(scene.initial_stress, InitialStress::uniform, "initial.stress");
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::string path = fmt::format("body[{}]", b);

@@ -72,20 +72,6 @@ Stretch tallest_stretch(const State& state) {
   return tallest;
 }
 
-/// Zero velocity, displacement and plastic strain; stress, density and positions stay.
-void reset(State& state) {
-  ParticleBuffers& p = state.particles;
-  const auto slots = p.slots();
-  for (int a = 0; a < state.scene.dimension; ++a) {
-    std::fill_n(p.component(Field::velocity, a), slots, 0.0);
-    std::copy_n(p.component(Field::position, a), slots, p.component(Field::reference_position, a));
-  }
-  for (const Field field : {Field::accumulated_plastic_strain, Field::stress_work,
-                            Field::plastic_work, Field::diffusion_work}) {
-    if (p.has(field)) std::fill_n(p.component(field), slots, 0.0);
-  }
-}
-
 /// Of particles and walls [m/s].
 double fastest(const State& state) {
   double speed = fastest_soil(state);
@@ -148,7 +134,8 @@ double fastest_soil(const State& state) {
 
 void enter_stage(State& state) {
   const std::size_t index = state.stage.started ? state.stage.index + 1 : 0;
-  if (state.stage.started && state.scene.stages[state.stage.index].reset_after) reset(state);
+  if (state.stage.started && state.scene.stages[state.stage.index].reset_after)
+    state.particles.reset();
   const Stage& stage = state.scene.stages[index];
   state.stage = StageClock{};
   state.stage.index = index;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -119,13 +120,18 @@ std::optional<Instability> torn_or_crushed(const State& state) {
   return found;
 }
 
-std::optional<Instability> density_or_stress_not_finite(const State& state) {
-  const double *stress[6], *density = state.particles.component(Field::density);
-  state.particles.components(Field::stress, stress);
-  const int stored = state.scene.dimension == 2 ? 4 : 6;
+std::optional<Instability> not_finite_at_a_look(const State& state) {
+  std::vector<const double*> looked_at;
+  for (const FieldRow& field : state.particles.rows()) {
+    if (field.check != Check::each_look) continue;
+    for (int c = 0; c < component_count(field.rank); ++c) {
+      if (const double* array = state.particles.component(field.field, c))
+        looked_at.push_back(array);
+    }
+  }
   const std::int64_t slot = first_slot(state, [&](double, std::int64_t k) {
-    double sum = density[k];
-    for (int c = 0; c < stored; ++c) sum += stress[c][k];
+    double sum = 0.0;
+    for (const double* array : looked_at) sum += array[k];
     return !std::isfinite(sum);
   });
   if (slot < 0) return {};
@@ -184,27 +190,21 @@ Instability not_finite(const State& state, std::int64_t slot) {
   if (auto reason = torn_or_crushed(state)) return *reason;  // it spoils its neighbours
   Instability found = at_particle(state, slot);
   found.limit = std::numeric_limits<double>::quiet_NaN();
-  struct Named {
-    Field field;
-    const char* name;
-    const char* unit;
-    int components;
-  };
-  for (const Named& one :
-       {Named{Field::density, "density", "kg/m3", 1}, Named{Field::velocity, "velocity", "m/s", 3},
-        Named{Field::stress, "stress", "Pa", 6},
-        Named{Field::acceleration, "acceleration", "m/s2", 3},
-        Named{Field::approach_rate, "approach rate", "m/s", 1}}) {
-    for (int c = 0; c < one.components; ++c) {
-      const double value = value_of(state, one.field, c, slot);
-      // The largest square that a step is chosen by is 1e300.
-      if (std::abs(value) < 1e150 && !(one.field == Field::density && value <= 0.0)) continue;
-      found.field = one.name;
-      found.unit = one.unit;
-      found.value = value;
+  const auto look = [&](Check due) {
+    for (const FieldRow& field : state.particles.rows()) {
+      if (field.check != due) continue;
+      for (int c = 0; found.field.empty() && c < component_count(field.rank); ++c) {
+        const double value = value_of(state, field.field, c, slot);
+        // The largest square that a step is chosen by is 1e300.
+        if (std::abs(value) < 1e150 && !(field.field == Field::density && value <= 0.0)) continue;
+        found.field = field.name;
+        found.unit = field.unit;
+        found.value = value;
+      }
     }
-    if (!found.field.empty()) break;
-  }
+  };
+  look(Check::each_look);  // a stress that is no number makes the acceleration none
+  look(Check::each_step);
   found.cause =
       "particles that overlap or meet a gap between walls, or a time step too long for the "
       "stiffness; from here they look alike";
@@ -214,7 +214,7 @@ Instability not_finite(const State& state, std::int64_t slot) {
 
 std::optional<Instability> inspect(const State& state) {
   if (auto found = torn_or_crushed(state)) return found;
-  if (auto found = density_or_stress_not_finite(state)) return found;
+  if (auto found = not_finite_at_a_look(state)) return found;
   if (auto found = too_fast(state)) return found;
   return energy_from_nothing(state);
 }

@@ -46,10 +46,10 @@ void run(benchmark::State& bench, const Law& law, const BlockOptions& options) {
   for (auto _ : bench) {
     run_stress_phase(
         state, 1e-9, 1e-9,
-        [&](const kernels::ParticleView& view, const kernels::StressPassConstants& constants,
-            std::size_t model, std::size_t begin, std::size_t end) {
+        [&](const kernels::ModelPasses& passes, const kernels::ParticleView& view,
+            const kernels::StressPassConstants& constants, std::size_t begin, std::size_t end) {
           const auto dimension = static_cast<std::size_t>(options.dimension - 2);
-          return state.kernels.table->verlet[dimension][model](view, constants, verlet, begin, end);
+          return passes.verlet[dimension](view, constants, verlet, begin, end);
         });
   }
   const auto particles = static_cast<double>(state.particles.count());

@@ -55,10 +55,10 @@ inline Scene block_scene(const BlockOptions& options) {
   // Without cohesion the soil cannot come into tension while its faces let go.
   const double cohesion = options.tension ? 10e3 : 0.0;
   scene.materials = {{"soil",
-                      "drucker_prager",
-                      2000.0,
-                      {100e6, 0.3, cohesion, 0.35, 0.15, options.dimension == 2 ? 0.0 : 1.0}}};
-  if (options.elastic) scene.materials = {{"rock", "linear_elastic", 2000.0, {100e6, 0.3}}};
+                      DruckerPrager{100e6, 0.3, cohesion, 0.35, 0.15,
+                                    options.dimension == 2 ? Cone::plane_strain : Cone::outer},
+                      2000.0}};
+  if (options.elastic) scene.materials = {{"rock", LinearElastic{100e6, 0.3}, 2000.0}};
   const double side =
       std::round(std::pow(static_cast<double>(options.particles), 1.0 / options.dimension));
   scene.bodies = {{.shape = Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};

@@ -6,6 +6,7 @@ set(scarp_public_headers
   engine/checkpoint/snapshot.hpp
   engine/converge/richardson.hpp
   engine/converge/study.hpp
+  engine/custom_model.hpp
   engine/element/element_path.hpp
   engine/energy/energy_balance.hpp
   engine/errors.hpp
@@ -27,6 +28,7 @@ set(scarp_public_headers
   engine/scene/scene.hpp
   engine/scene/scene_reader.hpp
   engine/scene/shorthand.hpp
+  engine/scene/soil_model.hpp
   engine/simulation.hpp
   engine/step/phase_view.hpp
   engine/step/reduction.hpp
@@ -35,7 +37,17 @@ set(scarp_public_headers
   kernels/constitutive/drucker_prager.hpp
   kernels/constitutive/linear_elastic.hpp
   kernels/constitutive/list.hpp
-  kernels/constitutive/parameter_spec.hpp)
+  kernels/always_inline.hpp
+  kernels/constitutive/model.hpp
+  kernels/constitutive/model_info.hpp
+  kernels/constitutive/model_passes.hpp
+  kernels/constitutive/parameter_spec.hpp
+  kernels/constitutive/stress_pass.hpp
+  kernels/constitutive/stress_rotation.hpp
+  kernels/lanes.hpp
+  kernels/particle_view.hpp
+  kernels/point_math.hpp
+  kernels/tensor.hpp)
 
 # The name under <scarp/...> of a header of the repository.
 function(scarp_public_name header name)

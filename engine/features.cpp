@@ -3,12 +3,23 @@
 #include "engine/features.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "engine/state.hpp"
 
 namespace scarp {
+
+namespace {
+
+std::string models_of(const Scene& scene) {
+  std::set<std::string> names;
+  for (const Material& material : scene.materials) names.insert(material.model.name());
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+}  // namespace
 
 std::vector<UsedFeature> used_features(const State& state) {
   const Numerics& n = state.scene.numerics;
@@ -23,7 +34,8 @@ std::vector<UsedFeature> used_features(const State& state) {
     }
     return fmt::format("{} bytes per particle", stored);
   };
-  const bool plastic = p.has(Field::accumulated_plastic_strain);
+  const bool plastic = std::any_of(state.scene.materials.begin(), state.scene.materials.end(),
+                                   [](const Material& m) { return m.model.yields(); });
   const bool verlet = n.integrator == Integrator::verlet;
   return {
       {"third dimension", three,
@@ -41,7 +53,9 @@ std::vector<UsedFeature> used_features(const State& state) {
        bytes({Field::diffusivity, Field::diffusion_rate, Field::diffusion_slope})},
       {"lattice normalisation", n.lattice_normalisation, "folded into the particle volumes: free"},
       {"plasticity", plastic,
-       plastic ? "Drucker-Prager pass" : "elastic pass, no plastic strain stored"},
+       plastic ? fmt::format("passes of {}, {} bytes of history per particle",
+                             models_of(state.scene), 8 * history_of(state.scene).size())
+               : "elastic pass, no plastic strain stored"},
       {"second time level", verlet,
        bytes({Field::previous_velocity, Field::previous_density, Field::previous_stress})},
       {"second sweep per step", !verlet, "kick-drift-kick sweeps gradient and force apart"},

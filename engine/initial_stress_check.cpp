@@ -10,7 +10,6 @@
 #include <limits>
 
 #include "engine/particles/soil_above.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 
 namespace scarp {
 namespace {
@@ -30,23 +29,59 @@ std::vector<double> pressures(const Simulation& simulation) {
   return pressure;
 }
 
-/// sqrt(J2) of a uniform stress over what the cone bears at its mean stress. Equation: E9.
+using Stress = kernels::SymTensor<double>;
+
+/// f of the model at the start of a run, > 0 outside its yield surface [Pa].
+class YieldSurface {
+ public:
+  YieldSurface(const Material& material, double reduction)
+      : info_(material.model.info()),
+        constants_(material.model.prepare({reduction, 1.0, material.density})) {
+    for (const kernels::StateField& field : info_.state_fields)
+      history_.push_back(field.initial_value);
+  }
+  double operator()(const Stress& stress) const {
+    return info_.yield_function(constants_, stress, history_);
+  }
+
+ private:
+  const kernels::ModelInfo& info_;
+  kernels::ModelConstants constants_;
+  std::vector<double> history_;
+};
+
+/// Where f changes its sign between a point inside and one outside.
+template <class F>
+double boundary_between(double inside, double outside, const F& f) {
+  for (int halving = 0; halving < 200; ++halving) {
+    const double middle = 0.5 * (inside + outside);
+    (f(middle) > 0.0 ? outside : inside) = middle;
+  }
+  return inside;
+}
+
+/// The deviator of a uniform stress over what the surface bears at its mean stress.
 double utilisation(const std::array<double, 6>& s, const Material& material, double reduction) {
-  const kernels::ConeConstants cone =
-      kernels::DruckerPrager::reduced(material.parameters, reduction);
-  const double first_invariant = s[0] + s[1] + s[2], mean = first_invariant / 3.0;
-  double j2 = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  for (std::size_t a = 0; a < 3; ++a) j2 += 0.5 * (s[a] - mean) * (s[a] - mean);
-  const double strength = cone.k_c - cone.alpha_phi * first_invariant;
-  if (strength > 0.0) return std::sqrt(j2) / strength;
-  return j2 > 0.0 || strength < 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+  const YieldSurface surface(material, reduction);
+  const Stress stress{s[0], s[1], s[2], s[3], s[4], s[5]};
+  const Stress mean = kernels::isotropic(trace(stress) / 3.0), deviatoric = deviator(stress);
+  const auto f = [&](double share) { return surface(mean + share * deviatoric); };
+  if (!(f(1.0) > 0.0)) return 0.0;
+  if (f(0.0) > 0.0) return std::numeric_limits<double>::infinity();
+  return 1.0 / boundary_between(0.0, 1.0, f);
+}
+
+/// Models that yield and say where.
+bool has_surface(const Material& material) {
+  const SoilModel& model = material.model;
+  return model.yields() && !std::isnan(YieldSurface(material, 1.0)(kernels::isotropic(0.0)));
 }
 
 std::vector<std::string> uniform_warnings(const Scene& scene) {
   std::vector<std::string> found;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
-    if (!is_used(scene, m) || material.model != kernels::DruckerPrager::name) continue;
+    if (!is_used(scene, m) || !has_surface(material)) continue;
     const double share =
         utilisation(scene.uniform_stress, material, reduction_of(scene.stages.front(), material));
     if (share <= 1.0 + 1e-9) continue;
@@ -54,8 +89,8 @@ std::vector<std::string> uniform_warnings(const Scene& scene) {
         "material '{}': the uniform stress is outside its yield surface{}; the first step takes it "
         "back. Try a stress with less shear or more pressure.",
         material.name,
-        std::isfinite(share) ? fmt::format(", {:.3g} times what the cone bears", share)
-                             : ", beyond the tension that the cone bears"));
+        std::isfinite(share) ? fmt::format(", {:.3g} times what the surface bears", share)
+                             : ", beyond the tension that the surface bears"));
   }
   return found;
 }
@@ -63,13 +98,15 @@ std::vector<std::string> uniform_warnings(const Scene& scene) {
 }  // namespace
 
 RestRange rest_range(const Material& material, double reduction, double pressure) {
-  const kernels::ConeConstants cone =
-      kernels::DruckerPrager::reduced(material.parameters, reduction);
-  const double s = std::sqrt(3.0) * cone.alpha_phi, t = std::sqrt(3.0) * cone.k_c / pressure;
+  const YieldSurface surface(material, reduction);
+  const auto f = [&](double k) {
+    return surface({-pressure, -k * pressure, -k * pressure, 0.0, 0.0, 0.0});
+  };
+  constexpr double widest = 1e9;
   RestRange range;
-  range.active = std::max((1.0 - s - t) / (1.0 + 2.0 * s), 0.0);
+  range.active = f(0.0) > 0.0 ? boundary_between(1.0, 0.0, f) : 0.0;
   range.passive =
-      2.0 * s < 1.0 ? (1.0 + s + t) / (1.0 - 2.0 * s) : std::numeric_limits<double>::infinity();
+      f(widest) > 0.0 ? boundary_between(1.0, widest, f) : std::numeric_limits<double>::infinity();
   return range;
 }
 
@@ -82,7 +119,7 @@ std::vector<std::string> initial_stress_warnings(const Simulation& simulation) {
   const std::vector<double> of = simulation.field("material");
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
-    if (material.model != kernels::DruckerPrager::name) continue;
+    if (!has_surface(material)) continue;
     const double reduction = reduction_of(scene.stages.front(), material);
     const double k0 = k0_of(scene, material);
     const auto holds = [&](double p) {
@@ -103,7 +140,8 @@ std::vector<std::string> initial_stress_warnings(const Simulation& simulation) {
     const double becomes = std::clamp(k0, range.active, range.passive);
     found.push_back(fmt::format(
         "material '{}': K0 = {:.3g}{} is outside its yield surface in {:.0f} % of its soil. At its "
-        "deepest, under {:.3g} kPa, the cone bears {:.3g} to {:.3g}, so K0 becomes {:.3g} there as "
+        "deepest, under {:.3g} kPa, the surface bears {:.3g} to {:.3g}, so K0 becomes {:.3g} there "
+        "as "
         "it settles. Try k0 = {:.3g}, or a stronger soil (strength_reduction below 1) in stage "
         "'{}'.",
         material.name, k0, !material.k0 && !scene.initial_k0 ? ", which is nu/(1 - nu)," : "",

@@ -18,15 +18,14 @@
 #include "engine/particles/soil_above.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/stop.hpp"
-#include "kernels/constitutive/list.hpp"
 #include "kernels/smoothing/list.hpp"
 
 namespace scarp {
 namespace {
 
-bool is_plastic(const Material& material) { return material.model != kernels::LinearElastic::name; }
-bool any_plastic(const Scene& scene) {
-  return std::any_of(scene.materials.begin(), scene.materials.end(), is_plastic);
+bool any_yields(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& material) { return material.model.yields(); });
 }
 
 ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& table) {
@@ -38,7 +37,7 @@ ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& tab
   chosen.artificial_stress = n.artificial_stress > 0.0;
   chosen.viscosity = n.viscosity_alpha > 0.0 || n.viscosity_beta > 0.0;
   // It quiets soil that flows; elastic bodies do not, and in them it feeds noise (`disc_rotation`).
-  chosen.diffusion = n.stress_diffusion > 0.0 && any_plastic(scene);
+  chosen.diffusion = n.stress_diffusion > 0.0 && any_yields(scene);
   chosen.correction = n.gradient_correction;
   const auto sweep = [&](kernels::Terms terms, bool artificial_stress) {
     const bool force = terms != kernels::Terms::gradient;
@@ -71,10 +70,9 @@ std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) 
     if (wanted) used.insert(used.end(), fields);
   };
   const Numerics& n = scene.numerics;
-  const bool plastic = any_plastic(scene);
+  const bool plastic = any_yields(scene);
   add(n.integrator == Integrator::verlet,
       {Field::previous_velocity, Field::previous_density, Field::previous_stress});
-  add(plastic, {Field::accumulated_plastic_strain});
   add(!n.gradient_correction, {Field::density_rate});
   add(n.gradient_correction, {Field::moment});
   add(chosen.viscosity, {Field::approach_rate});
@@ -83,6 +81,25 @@ std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) 
   add(scene.output.energy && plastic, {Field::plastic_work});
   add(scene.output.energy && chosen.diffusion, {Field::diffusion_work});
   return used;
+}
+
+/// Rows of the history variables of the scene's models.
+std::vector<FieldRow> history_rows(const Scene& scene) {
+  std::vector<FieldRow> rows;
+  for (const kernels::StateField& field : history_of(scene)) {
+    rows.push_back({declared_field(rows.size()),
+                    field.name,
+                    field.unit,
+                    Rank::scalar,
+                    Lifetime::state,
+                    {Initial::From::value, field.initial_value},
+                    field.reset_at_stage ? Reset::reset : Reset::kept,
+                    Ghost::own,
+                    Check::unchecked,
+                    field.output ? Readout::real : Readout::inside,
+                    field.description});
+  }
+  return rows;
 }
 
 /// Under a pressure along gravity, with K0 of it across: xx, yy, zz, xy, yz, zx.
@@ -107,7 +124,8 @@ void fill_particles(State& state, const SoilPoints& soil) {
     groups.push_back({first, count, padded(count), m, scene.materials[m].density});
     first += padded(count);
   }
-  state.particles = ParticleBuffers(dimension, groups, used_fields(scene, state.kernels));
+  state.particles =
+      ParticleBuffers(dimension, groups, used_fields(scene, state.kernels), history_rows(scene));
   ParticleBuffers& p = state.particles;
   std::vector<SoilAbove> above;
   if (scene.initial_stress == InitialStress::geostatic)
@@ -176,22 +194,12 @@ kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Mat
                                                    double strength_reduction) {
   const Numerics& n = scene.numerics;
   kernels::StressPassConstants c{};
-  const kernels::ElasticModuli moduli =
-      kernels::elastic_moduli(material.parameters[0], material.parameters[1]);
-  c.bulk_modulus = moduli.bulk_modulus;
-  c.shear_modulus = moduli.shear_modulus;
-  if (material.model == kernels::DruckerPrager::name) {
-    const kernels::ConeConstants cone =
-        kernels::DruckerPrager::reduced(material.parameters, strength_reduction);
-    c.alpha_phi = cone.alpha_phi;
-    c.k_c = cone.k_c;
-    c.alpha_psi = cone.alpha_psi;
-  }
+  c.model = material.model.prepare({strength_reduction, scene.spacing, material.density});
   c.reference_density = material.density;
   c.density_minimum = n.density_minimum * material.density;
   c.density_maximum = n.density_maximum * material.density;
   c.smoothing_length = n.smoothing_ratio * scene.spacing;
-  c.diffusion_cap = is_plastic(material) ? n.stress_diffusion : 0.0;
+  c.diffusion_cap = material.model.yields() ? n.stress_diffusion : 0.0;
   c.diffusion_shear_gate = n.diffusion_shear_gate;
   std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
   c.k0 = k0_of(scene, material);
@@ -260,11 +268,9 @@ State make_state(Scene scene, const RunOptions& options) {
                                   std::pow(state.smoothing_length, dimension + 1) /
                                   (n.lattice_normalisation ? state.lattice_moment : 1.0);
   set_material_constants(state);
-  for (std::size_t m = 0; m < state.scene.materials.size(); ++m) {
-    const kernels::StressPassConstants& c = state.material_constants[m];
-    state.scaling.mass.push_back(state.scene.materials[m].density * state.particle_volume);
-    state.scaling.wave_modulus.push_back(
-        kernels::ElasticModuli{c.bulk_modulus, c.shear_modulus}.wave_modulus());
+  for (const Material& material : state.scene.materials) {
+    state.scaling.mass.push_back(material.density * state.particle_volume);
+    state.scaling.wave_modulus.push_back(material.model.moduli().wave_modulus());
   }
   set_pair_constants(state);
   const SoilPoints soil = generate_soil(state.scene, state.options.stop);

@@ -270,7 +270,9 @@ ProbeSample Simulation::probe(std::size_t index) const {
   }
   for (int c = 0; c < 6; ++c) sample.stress[static_cast<std::size_t>(c)] = read(Field::stress, c);
   sample.density = read(Field::density, 0);
-  sample.accumulated_plastic_strain = read(Field::accumulated_plastic_strain, 0);
+  for (const kernels::StateField& field : history_of(state.scene)) {
+    if (field.output) sample.history.push_back(state.particles.declared(field.name)[slot]);
+  }
   return sample;
 }
 

@@ -4,6 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+
+#include "kernels/always_inline.hpp"
 
 namespace scarp::kernels {
 
@@ -142,7 +145,7 @@ struct ParticleView {
   double* previous_velocity[3];  ///< level n-1 of the Verlet scheme
   double* previous_density;
   double* previous_stress[6];
-  double* accumulated_plastic_strain;
+  double* history[4];      ///< history variables of the model, in its order
   double* plastic_work;    ///< per mass [J/kg]
   double* diffusion_work;  ///< per mass [J/kg]
   double* stress_work;     ///< of the stress on the strain the stress pass used, per mass [J/kg]
@@ -155,11 +158,28 @@ struct ParticleView {
   const double* diffusion_slope;
 };
 
+/// What a model keeps of its parameters, packed so that passes of all models have one type.
+struct ModelConstants {
+  alignas(8) unsigned char bytes[256];
+};
+template <class Constants>
+inline ModelConstants packed(const Constants& constants) {
+  static_assert(std::is_trivially_copyable_v<Constants> &&
+                sizeof(Constants) <= sizeof(ModelConstants));
+  ModelConstants all{};
+  __builtin_memcpy(all.bytes, &constants, sizeof(Constants));
+  return all;
+}
+template <class Constants>
+SCARP_INLINE Constants unpacked(const ModelConstants& all) {
+  Constants constants;
+  __builtin_memcpy(&constants, all.bytes, sizeof(Constants));
+  return constants;
+}
+
 /// What the stress pass needs besides the particles: one material, one step.
 struct StressPassConstants {
-  double bulk_modulus;
-  double shear_modulus;
-  double alpha_phi, k_c, alpha_psi;  ///< Eqs. 9-12; unused by elastic materials
+  ModelConstants model;
   double reference_density;
   double density_minimum, density_maximum;  ///< absolute [kg/m3]; applied if gradient_correction
   double leap;                              ///< time over which the rates act [s]

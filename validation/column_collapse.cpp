@@ -10,8 +10,6 @@
 #include <numbers>
 #include <optional>
 
-#include "kernels/constitutive/drucker_prager.hpp"
-
 namespace scarp::validation {
 namespace {
 
@@ -78,9 +76,9 @@ void set_column(Scene& scene, Column& column) {
       if (point[1] > 0.0) point[1] = height;
     }
   }
-  double& friction = scene.materials.front().parameters[kernels::DruckerPrager::friction_angle];
-  if (column.friction_angle > 0.0) friction = column.friction_angle * degree;
-  column.friction_angle = friction / degree;
+  SoilModel& soil = scene.materials.front().model;
+  if (column.friction_angle > 0.0) soil.set("friction_angle", column.friction_angle * degree);
+  column.friction_angle = soil.parameter("friction_angle") / degree;
   scene.stages.back().duration = duration * std::sqrt(height / gravity_of(scene));
 }
 

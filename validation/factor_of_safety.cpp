@@ -12,23 +12,20 @@
 
 #include "engine/cli/progress.hpp"
 #include "engine/output/text_file.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 
 namespace scarp::validation {
 
-using kernels::DruckerPrager;
-
 Slope slope_of(const Scene& scene) {
   const auto& outline = std::get<Polygon>(scene.bodies.front().shape).points;
-  const auto& p = scene.materials.front().parameters;
+  const kernels::CoulombStrength soil = *scene.materials.front().model.strength();
   Slope slope;
   slope.base = outline.front()[1];
   slope.surface.assign(outline.rbegin(), outline.rend() - 1);
   // A right side of some height is a wall, not ground.
   if (outline[2][0] == outline[1][0]) slope.surface.pop_back();
   slope.unit_weight = scene.materials.front().density * -scene.gravity[1];
-  slope.cohesion = p[DruckerPrager::cohesion];
-  slope.friction_angle = p[DruckerPrager::friction_angle];
+  slope.cohesion = soil.cohesion;
+  slope.friction_angle = soil.friction_angle;
   return slope;
 }
 

@@ -121,9 +121,9 @@ std::string scene_text(const Scene& scene) {
     const Material& material = scene.materials[m];
     lines.section(fmt::format("material[{}].", m));
     lines.add("name", material.name);
-    lines.add("model", material.model);
+    lines.add("model", material.model.name());
     lines.add("density", material.density);
-    lines.add("parameters", material.parameters);
+    lines.add("parameters", material.model.parameters());
     lines.add("k0", material.k0.value_or(chosen));
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "engine/errors.hpp"
-#include "kernels/constitutive/list.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -26,13 +25,13 @@ struct Variant {
   void (*leave_out)(Scene&);
 };
 
-bool is_plastic(const Material& material) { return material.model == kernels::DruckerPrager::name; }
+bool is_plastic(const Material& material) { return material.model.yields(); }
 
-/// Both models begin with Young's modulus and Poisson's ratio.
 void make_elastic(Scene& scene) {
   for (Material& material : scene.materials) {
-    material.model = kernels::LinearElastic::name;
-    material.parameters.resize(kernels::LinearElastic::parameters.size());
+    const auto [k, g] = material.model.moduli();
+    material.model =
+        LinearElastic{9.0 * k * g / (3.0 * k + g), (3.0 * k - 2.0 * g) / (6.0 * k + 2.0 * g)};
   }
 }
 

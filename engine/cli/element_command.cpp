@@ -16,13 +16,11 @@
 #include "engine/output/text_file.hpp"
 #include "engine/plain_text.hpp"
 #include "engine/scene/nearest_name.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 
 namespace scarp::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using kernels::DruckerPrager;
 constexpr std::array<const char*, 6> components{"xx", "yy", "zz", "xy", "yz", "zx"};
 
 /// The one named, or the only one. Errors: UsageError.
@@ -52,8 +50,10 @@ void write_table(const std::filesystem::path& path, const ElementResult& result)
   }
   titles.insert(titles.end(), {"I1 [Pa]", "sqrt_J2 [Pa]", "volumetric_strain [-]"});
   if (result.plastic) {
-    titles.insert(titles.end(), {"yield_function [Pa]", "accumulated_plastic_strain [-]",
-                                 "plastic_volumetric_strain [-]"});
+    titles.emplace_back("yield_function [Pa]");
+    for (const auto& field : result.history)
+      titles.push_back(fmt::format("{} [{}]", field.name, field.unit));
+    titles.emplace_back("plastic_volumetric_strain [-]");
   }
   CsvFile table(path, titles);
   for (std::size_t n = 0; n < result.samples.size(); ++n) {
@@ -64,22 +64,24 @@ void write_table(const std::filesystem::path& path, const ElementResult& result)
     }
     table << sample.first_invariant << sample.root_j2 << sample.volumetric_strain;
     if (result.plastic) {
-      table << sample.yield_function << sample.accumulated_plastic_strain
-            << sample.plastic_volumetric_strain;
+      table << sample.yield_function;
+      for (std::size_t h = 0; h < result.history.size(); ++h) table << sample.history[h];
+      table << sample.plastic_volumetric_strain;
     }
     table.end_row();
   }
 }
 
-Json json_of(const ElementSample& sample, bool plastic) {
+Json json_of(const ElementSample& sample, const ElementResult& result) {
   Json json{{"strain", sample.strain},
             {"stress", sample.stress},
             {"I1", sample.first_invariant},
             {"sqrt_J2", sample.root_j2},
             {"volumetric_strain", sample.volumetric_strain}};
-  if (plastic) {
+  if (result.plastic) {
     json["yield_function"] = sample.yield_function;
-    json["accumulated_plastic_strain"] = sample.accumulated_plastic_strain;
+    for (std::size_t h = 0; h < result.history.size(); ++h)
+      json[result.history[h].name] = sample.history[h];
     json["plastic_volumetric_strain"] = sample.plastic_volumetric_strain;
   }
   return json;
@@ -87,8 +89,8 @@ Json json_of(const ElementSample& sample, bool plastic) {
 
 /// "at the end the deviator is ...", of the same test with one parameter changed.
 std::string changed_end(Scene scene, const ElementTest& test, const RunOptions& options,
-                        DruckerPrager::Index parameter, double value) {
-  scene.materials[test.material].parameters[parameter] = value;
+                        std::string_view parameter, double value) {
+  scene.materials[test.material].model.set(parameter, value);
   const ElementSample end = run_element(scene, test, options).samples.back();
   return fmt::format("q = {:.4g} kPa and a volumetric strain of {:.3g}", 1e-3 * deviator(end),
                      end.volumetric_strain);
@@ -98,32 +100,30 @@ std::string changed_end(Scene scene, const ElementTest& test, const RunOptions& 
 std::vector<std::string> notes(const Scene& scene, const ElementTest& test,
                                const RunOptions& options) {
   std::vector<std::string> found;
-  const Material& material = scene.materials[test.material];
-  const auto& p = material.parameters;
-  if (material.model != DruckerPrager::name || p[DruckerPrager::friction_angle] == 0.0)
+  const SoilModel& model = scene.materials[test.material].model;
+  const auto strength = model.strength();
+  if (!strength || strength->friction_angle == 0.0 || test.path == ElementPath::isotropic)
     return found;
-  if (test.path == ElementPath::isotropic) return found;
   const bool triaxial = test.path == ElementPath::triaxial;
-  const auto fitting =
-      static_cast<double>(triaxial ? kernels::Cone::outer : kernels::Cone::plane_strain);
+  const auto fitting = static_cast<double>(triaxial ? Cone::outer : Cone::plane_strain);
   constexpr std::array<const char*, 3> cones{"plane_strain", "outer", "inner"};
-  if (p[DruckerPrager::cone] != fitting) {
+  if (model.has("cone") && model.parameter("cone") != fitting) {
+    const double cone = model.parameter("cone");
     found.push_back(fmt::format(
         "the cone is \"{}\"{}, which does not match Coulomb's strength in {}; with \"{}\", which "
         "does, the test ends at {}.",
-        cones[static_cast<std::size_t>(p[DruckerPrager::cone])],
-        p[DruckerPrager::cone] == (scene.dimension == 2 ? 0.0 : 1.0)
+        cones[static_cast<std::size_t>(cone)],
+        cone == (scene.dimension == 2 ? 0.0 : 1.0)
             ? fmt::format(", the default in {}D", scene.dimension)
             : "",
         triaxial ? "triaxial compression" : "plane strain",
         cones[static_cast<std::size_t>(fitting)],
-        changed_end(scene, test, options, DruckerPrager::cone, fitting)));
+        changed_end(scene, test, options, "cone", fitting)));
   }
-  if (p[DruckerPrager::dilation_angle] == 0.0) {
+  if (model.has("dilation_angle") && strength->dilation_angle == 0.0) {
     found.push_back(
         fmt::format("dilation_angle is 0, the default; with psi = phi the test ends at {}.",
-                    changed_end(scene, test, options, DruckerPrager::dilation_angle,
-                                p[DruckerPrager::friction_angle])));
+                    changed_end(scene, test, options, "dilation_angle", strength->friction_angle)));
   }
   return found;
 }
@@ -135,7 +135,7 @@ Json summary(const Scene& scene, const ElementTest& test, const ElementResult& r
             {"version", 1},
             {"scene", scene.file},
             {"material", material.name},
-            {"model", material.model},
+            {"model", material.model.name()},
             {"path", element_path_names[static_cast<std::size_t>(test.path)]},
             {"preset", scene.numerics.preset},
             {"stress_rotation", word(scene.numerics.stress_rotation)},
@@ -151,13 +151,12 @@ Json summary(const Scene& scene, const ElementTest& test, const ElementResult& r
             {"deviator", deviator(result.samples.back())},
             {"notes", notes}};
   if (result.plastic) {
-    json["alpha_phi"] = result.alpha_phi;
-    json["k_c"] = result.k_c;
-    json["alpha_psi"] = result.alpha_psi;
+    for (const auto& shown : scene.materials[test.material].model.info().shown)
+      json[shown.name] = result.constants.at(shown.name);
     json["first_yield"] =
-        result.first_yield > 0 ? json_of(result.samples[result.first_yield], true) : Json();
+        result.first_yield > 0 ? json_of(result.samples[result.first_yield], result) : Json();
   }
-  json["end"] = json_of(result.samples.back(), result.plastic);
+  json["end"] = json_of(result.samples.back(), result);
   return json;
 }
 
@@ -189,7 +188,8 @@ void print(const Scene& scene, const ElementTest& test, const ElementResult& res
   line("  vol. strain", fmt::format("{:.6g}", end.volumetric_strain));
   if (result.plastic) {
     line("  plastic strain",
-         fmt::format("{:.6g}, volumetric {:.6g}", end.accumulated_plastic_strain,
+         fmt::format("{}volumetric {:.6g}",
+                     result.history.empty() ? "" : fmt::format("{:.6g}, ", end.history[0]),
                      end.plastic_volumetric_strain));
   }
   line("table", plain_text(table));

@@ -48,8 +48,7 @@ class StressControl {
       largest = std::fmax(largest, std::fabs(part));
     }
     probe_ = 1e-4 * largest;
-    const auto& c = point.constants();
-    elastic_step_ = (c.bulk_modulus + 4.0 / 3.0 * c.shear_modulus) * largest;
+    elastic_step_ = point.moduli().wave_modulus() * largest;
   }
 
   /// The next state; the increments found are the first guess of the next step.
@@ -125,7 +124,7 @@ ElementSample sample_of(const MaterialPoint& point, const PointState& state,
   sample.first_invariant = point.first_invariant(state);
   sample.root_j2 = point.root_j2(state);
   sample.yield_function = point.yield_function(state);
-  sample.accumulated_plastic_strain = state.accumulated_plastic_strain;
+  sample.history = state.history;
   sample.volumetric_strain = state.strain[0] + state.strain[1] + state.strain[2];
   sample.plastic_volumetric_strain = point.plastic_volumetric_strain(state, start);
   return sample;
@@ -164,19 +163,17 @@ ElementResult run_element(const Scene& scene, const ElementTest& test, const Run
   const PathControl control = control_of(test);
   const int dimension = control.plane ? scene.dimension : 3;
   const MaterialPoint point(scene, test.material, dimension, options);
-  const auto& c = point.constants();
   const double start_stress = -test.confining_pressure;
   const PointState start = point.at({start_stress, start_stress, start_stress, 0.0, 0.0, 0.0});
 
   ElementResult result;
   result.dimension = dimension;
   result.isa = point.isa();
-  result.plastic = point.plastic();
-  result.alpha_phi = c.alpha_phi;
-  result.k_c = c.k_c;
-  result.alpha_psi = c.alpha_psi;
-  result.bulk_modulus = c.bulk_modulus;
-  result.shear_modulus = c.shear_modulus;
+  result.plastic = point.model().yields;
+  result.history = point.model().state_fields;
+  result.constants = point.shown();
+  result.bulk_modulus = point.moduli().bulk_modulus;
+  result.shear_modulus = point.moduli().shear_modulus;
   result.samples.reserve(static_cast<std::size_t>(test.steps) + 1);
   result.samples.push_back(sample_of(point, start, start));
   StressControl stress_control(point, control, start_stress, test.steps);
@@ -191,7 +188,7 @@ ElementResult run_element(const Scene& scene, const ElementTest& test, const Run
                               test.steps, error.what()));
     }
     result.samples.push_back(sample_of(point, state, start));
-    if (result.first_yield == 0 && state.accumulated_plastic_strain > 0.0) {
+    if (result.first_yield == 0 && state.history != start.history) {
       result.first_yield = static_cast<std::size_t>(n);
     }
   }

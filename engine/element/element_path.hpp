@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +42,8 @@ struct ElementSample {
   std::array<double, 6> stress{};  ///< [Pa]
   double first_invariant = 0.0;    ///< I1 [Pa]
   double root_j2 = 0.0;            ///< sqrt(J2) [Pa]
-  double yield_function = 0.0;     ///< f of Eq. 9 [Pa]; NaN for an elastic material
-  double accumulated_plastic_strain = 0.0;
+  double yield_function = 0.0;     ///< of the model [Pa]; NaN if it has none
+  std::array<double, kernels::most_state_fields> history{};  ///< variables of the model
   double volumetric_strain = 0.0;
   double plastic_volumetric_strain = 0.0;
 };
@@ -54,10 +56,12 @@ struct ElementResult {
   int dimension = 3;                   ///< of the stress pass
   std::string isa;
   bool plastic = true;
-  double alpha_phi = 0.0, k_c = 0.0, alpha_psi = 0.0;  ///< Eqs. 9 to 12; k_c [Pa]
-  double bulk_modulus = 0.0, shear_modulus = 0.0;      ///< [Pa]
-  std::size_t first_yield = 0;  ///< first sample with plastic strain; 0: there is none
-  double control_error = 0.0;   ///< largest departure of a held stress [Pa]
+  std::span<const kernels::StateField> history;    ///< what `ElementSample::history` holds
+  std::map<std::string, double> constants;         ///< that the model shows, by name
+  double bulk_modulus = 0.0, shear_modulus = 0.0;  ///< [Pa]
+  std::size_t first_yield =
+      0;  ///< first sample whose history differs from the start; 0: there is none
+  double control_error = 0.0;  ///< largest departure of a held stress [Pa]
 };
 
 /// Drives the material with the scene's numerics: `MaterialPoint`, in 2D where scene and path are

@@ -3,14 +3,11 @@
 #include "engine/element/material_point.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "engine/errors.hpp"
 #include "engine/setup.hpp"
-#include "kernels/constitutive/list.hpp"
-#include "kernels/constitutive/yield_return.hpp"
 
 namespace scarp {
 namespace {
@@ -40,8 +37,8 @@ MaterialPoint::MaterialPoint(const Scene& scene, std::size_t material, int dimen
     : constants_(stress_pass_constants(scene, checked_material(scene, material, dimension),
                                        strength_reduction)),
       table_(&choose_table(options)),
-      dimension_(dimension),
-      plastic_(scene.materials[material].model != kernels::LinearElastic::name) {
+      model_(scene.materials[material].model),
+      dimension_(dimension) {
   constants_.leap = 1.0;
   constants_.plastic_share = 1.0;
   constants_.diffusion_cap = 0.0;
@@ -51,6 +48,8 @@ PointState MaterialPoint::at(const std::array<double, 6>& stress) const {
   PointState state;
   state.stress = stress;
   state.density = constants_.reference_density;
+  const auto fields = model().state_fields;
+  for (std::size_t h = 0; h < fields.size(); ++h) state.history[h] = fields[h].initial_value;
   return state;
 }
 
@@ -58,7 +57,8 @@ PointState MaterialPoint::advance(const PointState& from,
                                   const GradientIncrement& increment) const {
   alignas(64) std::array<Lanes, 6> stress, moment;
   alignas(64) std::array<Lanes, 9> gradient;
-  alignas(64) Lanes density, density_rate, plastic_strain;
+  alignas(64) Lanes density, density_rate;
+  alignas(64) std::array<Lanes, kernels::most_state_fields> history;
   kernels::ParticleView view{};
   for (std::size_t c = 0; c < 6; ++c) {
     stress[c].fill(from.stress[c]);
@@ -72,22 +72,33 @@ PointState MaterialPoint::advance(const PointState& from,
   }
   density.fill(from.density);
   density_rate.fill(-from.density * (increment[0] + increment[4] + increment[8]));
-  plastic_strain.fill(from.accumulated_plastic_strain);
+  for (std::size_t h = 0; h < history.size(); ++h) {
+    history[h].fill(from.history[h]);
+    view.history[h] = history[h].data();
+  }
   view.density = density.data();
   view.density_rate = density_rate.data();
-  view.accumulated_plastic_strain = plastic_strain.data();
-  const auto pass = table_->stress[static_cast<std::size_t>(dimension_ - 2)][plastic_ ? 1 : 0];
-  pass(view, constants_, 0, lane_count);
+  const kernels::ModelPasses& passes = table_->passes_of(model());
+  passes.stress[static_cast<std::size_t>(dimension_ - 2)](view, constants_, 0, lane_count);
 
   PointState to = from;
   for (std::size_t c = 0; c < 6; ++c) to.stress[c] = stress[c][0];
   to.density = density[0];
-  to.accumulated_plastic_strain = plastic_strain[0];
+  for (std::size_t h = 0; h < history.size(); ++h) to.history[h] = history[h][0];
   const auto& l = increment;
   const std::array<double, 6> strain{
       l[0], l[4], l[8], 0.5 * (l[1] + l[3]), 0.5 * (l[5] + l[7]), 0.5 * (l[6] + l[2])};
   for (std::size_t c = 0; c < 6; ++c) to.strain[c] += strain[c];
   return to;
+}
+
+std::map<std::string, double> MaterialPoint::shown() const {
+  const auto names = model().shown;
+  std::vector<double> values(names.size());
+  model().show(constants_.model, values);
+  std::map<std::string, double> all;
+  for (std::size_t k = 0; k < names.size(); ++k) all[names[k].name] = values[k];
+  return all;
 }
 
 double MaterialPoint::first_invariant(const PointState& state) const {
@@ -99,16 +110,14 @@ double MaterialPoint::root_j2(const PointState& state) const {
 }
 
 double MaterialPoint::yield_function(const PointState& state) const {
-  if (!plastic_) return std::numeric_limits<double>::quiet_NaN();
-  return kernels::yield_function(constants_, root_j2(state), first_invariant(state));
+  return model().yield_function(constants_.model, tensor_of(state.stress), state.history);
 }
 
 double MaterialPoint::plastic_volumetric_strain(const PointState& state,
                                                 const PointState& start) const {
   const double total = state.strain[0] + state.strain[1] + state.strain[2] - start.strain[0] -
                        start.strain[1] - start.strain[2];
-  return total -
-         (first_invariant(state) - first_invariant(start)) / (3.0 * constants_.bulk_modulus);
+  return total - (first_invariant(state) - first_invariant(start)) / (3.0 * moduli().bulk_modulus);
 }
 
 }  // namespace scarp

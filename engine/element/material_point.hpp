@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 
 #include "engine/simulation.hpp"
@@ -15,7 +16,7 @@ struct PointState {
   std::array<double, 6> stress{};  ///< [Pa]
   std::array<double, 6> strain{};  ///< sum of the strain increments along fixed axes [-]
   double density = 0.0;            ///< [kg/m3]
-  double accumulated_plastic_strain = 0.0;
+  std::array<double, kernels::most_state_fields> history{};  ///< variables of the model
 };
 
 /// Velocity gradient times the step, L_ab dt, row-major 3 x 3 [-].
@@ -39,21 +40,24 @@ class MaterialPoint {
 
   double first_invariant(const PointState& state) const;  ///< I1 [Pa]
   double root_j2(const PointState& state) const;          ///< sqrt(J2) [Pa]
-  /// f of Equation: E9 [Pa]; NaN for a material without yield surface.
+  /// f of the model [Pa], > 0 outside its yield surface; NaN if it has none.
   double yield_function(const PointState& state) const;
   /// Total less elastic volumetric strain since a start under `start` [-].
   double plastic_volumetric_strain(const PointState& state, const PointState& start) const;
 
-  const kernels::StressPassConstants& constants() const { return constants_; }
-  bool plastic() const { return plastic_; }
+  const kernels::ModelInfo& model() const { return model_.info(); }
+  const kernels::ModelConstants& constants() const { return constants_.model; }
+  kernels::ElasticModuli moduli() const { return model_.moduli(); }
+  /// Constants that the model shows, by name.
+  std::map<std::string, double> shown() const;
   int dimension() const { return dimension_; }
   std::string isa() const { return table_->name; }
 
  private:
   kernels::StressPassConstants constants_;
   const kernels::KernelTable* table_;
+  SoilModel model_;
   int dimension_;
-  bool plastic_;
 };
 
 }  // namespace scarp

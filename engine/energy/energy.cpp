@@ -6,8 +6,6 @@
 #include <array>
 
 #include "engine/state.hpp"
-#include "kernels/constitutive/stress_pass.hpp"
-#include "kernels/constitutive/yield_return.hpp"
 
 namespace scarp {
 namespace {
@@ -32,7 +30,7 @@ StoredEnergy stored_energy(const State& state) {
   const int dimension = state.scene.dimension;
   for (const ParticleGroup& group : p.groups()) {
     const double mass = state.scaling.mass[group.material];
-    const kernels::StressPassConstants& c = state.material_constants[group.material];
+    const kernels::ElasticModuli moduli = state.scene.materials[group.material].model.moduli();
     for (std::int64_t k = group.first; k < group.end(); ++k) {
       const auto value = [&](Field field, int component) {
         const double* array = p.component(field, component);
@@ -48,7 +46,7 @@ StoredEnergy stored_energy(const State& state) {
                                 value(Field::stress, 2), value(Field::stress, 3),
                                 value(Field::stress, 4), value(Field::stress, 5)};
       sum.parts.elastic +=
-          0.5 * mass / value(Field::density, 0) * contract(s, kernels::elastic_strain(c, s));
+          0.5 * mass / value(Field::density, 0) * contract(s, kernels::elastic_strain(moduli, s));
       sum.parts.plastic += mass * value(Field::plastic_work, 0);
       sum.parts.diffusion += mass * value(Field::diffusion_work, 0);
       sum.stress_work += mass * value(Field::stress_work, 0);

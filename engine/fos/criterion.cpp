@@ -64,7 +64,7 @@ void check_reducible(const Scene& scene) {
                        "stage before, and cut the strength in one that changes nothing else.",
                        wall.name, goes ? "is removed" : "moves", last->name));
   }
-  const auto yields = [](const Material& material) { return material.model != "linear_elastic"; };
+  const auto yields = [](const Material& material) { return material.model.yields(); };
   if (std::none_of(scene.materials.begin(), scene.materials.end(), yields)) {
     refuse(scene,
            "material: none of them can yield, so there is no strength to cut. Try model = "

@@ -9,11 +9,8 @@
 
 #include "engine/errors.hpp"
 #include "engine/fos/strength_reduction.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 
 namespace scarp {
-
-using kernels::DruckerPrager;
 
 bool looks_reducible(const Scene& scene) {
   const Stage& last = scene.stages.back();
@@ -34,13 +31,14 @@ std::optional<std::string> dilation_note(const Scene& scene, std::optional<doubl
   bool all_in_plane_strain = scene.dimension == 2;
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
-    if (!is_used(scene, m) || material.model != DruckerPrager::name) continue;
-    const auto& p = material.parameters;
+    const auto strength = material.model.strength();
+    if (!is_used(scene, m) || !strength) continue;
     all_in_plane_strain &=
-        p[DruckerPrager::cone] == static_cast<double>(kernels::Cone::plane_strain);
-    if (p[DruckerPrager::dilation_angle] > 0.0 || p[DruckerPrager::friction_angle] == 0.0) continue;
+        !material.model.has("cone") ||
+        material.model.parameter("cone") == static_cast<double>(Cone::plane_strain);
+    if (strength->dilation_angle > 0.0 || strength->friction_angle == 0.0) continue;
     names += fmt::format("{}'{}'", names.empty() ? "" : ", ", material.name);
-    steepest = std::max(steepest, std::tan(p[DruckerPrager::friction_angle]));
+    steepest = std::max(steepest, std::tan(strength->friction_angle));
   }
   if (names.empty()) return {};
   std::string text = fmt::format(

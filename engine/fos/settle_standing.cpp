@@ -7,7 +7,6 @@
 #include "engine/fos/displacement.hpp"
 #include "engine/fos/strength_reduction.hpp"
 #include "engine/particles/soil_above.hpp"
-#include "kernels/constitutive/linear_elastic.hpp"
 
 namespace scarp {
 namespace {
@@ -36,8 +35,7 @@ class Yielding {
       high = std::max(high, height);
     }
     for (const Material& m : scene.materials) {
-      const auto moduli = kernels::elastic_moduli(m.parameters[0], m.parameters[1]);
-      softness = std::max(softness, m.density * size_of(g) / moduli.wave_modulus());
+      softness = std::max(softness, m.density * size_of(g) / m.model.moduli().wave_modulus());
     }
     const bool still = std::all_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
       return wall.velocity == Vec3{} && wall.removed_at.empty();

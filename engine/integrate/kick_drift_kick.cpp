@@ -41,10 +41,10 @@ void advance_stress(State& state) {
   const double dt = state.clock.time_step;
   run_stress_phase(
       state, dt, dt,
-      [&](const kernels::ParticleView& view, const kernels::StressPassConstants& constants,
-          std::size_t model, std::size_t begin, std::size_t end) {
+      [&](const kernels::ModelPasses& passes, const kernels::ParticleView& view,
+          const kernels::StressPassConstants& constants, std::size_t begin, std::size_t end) {
         const auto dimension = static_cast<std::size_t>(state.scene.dimension - 2);
-        return state.kernels.table->stress[dimension][model](view, constants, begin, end);
+        return passes.stress[dimension](view, constants, begin, end);
       });
 }
 

@@ -4,24 +4,25 @@
 
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
-#include "kernels/constitutive/list.hpp"
+#include "kernels/constitutive/model_info.hpp"
 
 namespace scarp {
 
-/// pass(view, constants, model index, begin, end) returns how often the density bounds acted.
+/// pass(passes of the model, view, constants, begin, end) returns how often the density bounds
+/// acted.
 template <class Pass>
 void run_stress_phase(State& state, double dt, double leap, Pass&& pass) {
-  const kernels::ParticleView view = particle_view(state);
   for (const ParticleGroup& group : state.particles.groups()) {
     kernels::StressPassConstants constants = state.material_constants[group.material];
     constants.leap = leap;
     constants.plastic_share = dt / leap;
-    const auto model =
-        static_cast<std::size_t>(kernels::model_index(state.scene.materials[group.material].model));
+    const kernels::ModelInfo& model = state.scene.materials[group.material].model.info();
+    const kernels::ModelPasses& passes = state.kernels.table->passes_of(model);
+    const kernels::ParticleView view = particle_view(state, model);
     state.density_bounds += parallel_reduce(
         state.threads, group.capacity, particle_chunk, std::uint64_t{0},
         [&](std::int64_t begin, std::int64_t end) {
-          return pass(view, constants, model, static_cast<std::size_t>(group.first + begin),
+          return pass(passes, view, constants, static_cast<std::size_t>(group.first + begin),
                       static_cast<std::size_t>(group.first + end));
         },
         [](std::uint64_t& total, std::uint64_t part) { total += part; });

@@ -18,10 +18,10 @@ void advance_verlet(State& state) {
   const kernels::VerletConstants verlet{dt, leaps, state.stage.damping};
   run_stress_phase(
       state, dt, leap,
-      [&](const kernels::ParticleView& view, const kernels::StressPassConstants& constants,
-          std::size_t model, std::size_t begin, std::size_t end) {
+      [&](const kernels::ModelPasses& passes, const kernels::ParticleView& view,
+          const kernels::StressPassConstants& constants, std::size_t begin, std::size_t end) {
         const auto dimension = static_cast<std::size_t>(state.scene.dimension - 2);
-        return state.kernels.table->verlet[dimension][model](view, constants, verlet, begin, end);
+        return passes.verlet[dimension](view, constants, verlet, begin, end);
       });
   clock.since_restart = leaps ? clock.since_restart + 1 : 1;
   clock.restart = false;

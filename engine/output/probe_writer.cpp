@@ -37,7 +37,10 @@ Titles probe_titles(const Scene& scene) {
       titles.push_back(fmt::format("{}.stress_{} [Pa]", probe.name, stress_components[c]));
     }
     titles.push_back(fmt::format("{}.density [kg/m3]", probe.name));
-    titles.push_back(fmt::format("{}.accumulated_plastic_strain [-]", probe.name));
+    for (const kernels::StateField& field : history_of(scene)) {
+      if (field.output)
+        titles.push_back(fmt::format("{}.{} [{}]", probe.name, field.name, field.unit));
+    }
   }
   return titles;
 }
@@ -141,7 +144,8 @@ void ProbeWriter::write(const Simulation& simulation) {
         for (std::size_t a = 0; a < dimension; ++a) *probes_ << (*vector)[a];
       }
       for (std::size_t c = 0; c < stress_count(scene.dimension); ++c) *probes_ << sample.stress[c];
-      *probes_ << sample.density << sample.accumulated_plastic_strain;
+      *probes_ << sample.density;
+      for (const double value : sample.history) *probes_ << value;
     }
     probes_->end_row();
   }

@@ -41,6 +41,16 @@ bool ParticleBuffers::has(Field field) const {
   });
 }
 
+const double* ParticleBuffers::declared(std::string_view name) const {
+  return component(std::find_if(rows_.begin(), rows_.end(), [name](const FieldRow& row) {
+                     return row.field >= declared_field(0) && row.name == name;
+                   })->field);
+}
+
+double* ParticleBuffers::declared(std::string_view name) {
+  return const_cast<double*>(std::as_const(*this).declared(name));
+}
+
 const double* ParticleBuffers::component(Field field, int index) const {
   const auto& array = data_[static_cast<std::size_t>(field)][static_cast<std::size_t>(index)];
   return array.empty() ? nullptr : array.data();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/particles/aligned_vector.hpp"
@@ -43,6 +44,9 @@ class ParticleBuffers {
   /// The fields of the run in the table's order: stored and declared ones, then derived ones.
   const std::vector<FieldRow>& rows() const { return rows_; }
   bool has(Field field) const;
+  /// The array of a declared scalar field by its name. Pre: it is there.
+  double* declared(std::string_view name);
+  const double* declared(std::string_view name) const;
   /// The array of one component, or null where the field is not used or the component not stored.
   double* component(Field field, int index = 0);
   const double* component(Field field, int index = 0) const;

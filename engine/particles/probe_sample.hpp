@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "engine/scene/scene.hpp"
 
@@ -18,7 +19,8 @@ struct ProbeSample {
   Vec3 velocity{};
   std::array<double, 6> stress{};  ///< xx, yy, zz, xy, yz, zx, tension positive [Pa]
   double density = 0.0;
-  double accumulated_plastic_strain = 0.0;
+  std::vector<double>
+      history;  ///< history variables that are written, in the order of `history_of`
 };
 
 /// The particle that a probe follows: the nearest one to its point at the start.

@@ -8,12 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/constitutive/list.hpp"
-
 namespace scarp {
 namespace {
-
-using kernels::DruckerPrager;
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -112,7 +108,7 @@ std::string density_meant(double density) {
 
 /// Bulk densities run from peat and snow to ore; what only carries may be lighter or heavier.
 void check_density(const Material& material, std::vector<std::string>& found) {
-  const bool soil = material.model == DruckerPrager::name;
+  const bool soil = material.model.yields();
   const double least = soil ? 400.0 : 10.0, most = soil ? 5000.0 : 25000.0;
   if (material.density >= least && material.density <= most) return;
   found.push_back(fmt::format(
@@ -124,9 +120,10 @@ void check_density(const Material& material, std::vector<std::string>& found) {
 
 /// Clays with much smectite have 5 deg and more, dense gravel under low stress up to 55 deg.
 void check_friction(const Material& material, std::vector<std::string>& found) {
-  if (material.model != DruckerPrager::name) return;
+  const auto strength = material.model.strength();
+  if (!strength) return;
   constexpr double degree = 3.14159265358979323846 / 180.0;
-  const double phi = material.parameters[DruckerPrager::friction_angle];
+  const double phi = strength->friction_angle;
   if (phi == 0.0 || (phi >= 4.999 * degree && phi <= 55.001 * degree)) return;
   found.push_back(fmt::format(
       "material '{}': a friction angle of {} is outside what soils have, 5 to 55 deg. Is it in the "
@@ -138,8 +135,9 @@ void check_friction(const Material& material, std::vector<std::string>& found) {
 void check_cohesion(const Material& material, double pressure, double height,
                     std::vector<std::string>& found) {
   constexpr double nothing = 1e-3, too_much = 1e3;
-  if (material.model != DruckerPrager::name || !(pressure > 0.0)) return;
-  const double cohesion = material.parameters[DruckerPrager::cohesion], ratio = cohesion / pressure;
+  const auto strength = material.model.strength();
+  if (!strength || !(pressure > 0.0)) return;
+  const double cohesion = strength->cohesion, ratio = cohesion / pressure;
   if (cohesion == 0.0 || (ratio >= nothing && ratio <= too_much)) return;
   const std::string start = fmt::format(
       "material '{}': a cohesion of {} is {:.2g} times the weight of the soil {:.4g} m high, {}: ",
@@ -152,27 +150,33 @@ void check_cohesion(const Material& material, double pressure, double height,
            : "it will not yield under its own weight. Is it in the right unit? Try kPa."));
 }
 
+/// Equation: E14 the other way.
+double youngs_modulus(const Material& material) {
+  const auto [k, g] = material.model.moduli();
+  return 9.0 * k * g / (3.0 * k + g);
+}
+
 /// Pressure waves run at 1500 m/s in saturated soil and at 7000 m/s in the hardest rock.
 void check_stiffness(const Material& material, std::vector<std::string>& found) {
   constexpr double fastest = 10000.0;
-  const double speed = std::sqrt(constrained_modulus(material) / material.density);
+  const double speed = material.sound_speed();
   if (speed <= fastest) return;
   found.push_back(
       fmt::format("material '{}': with E = {:.4g} Pa and a density of {:.4g} kg/m3 sound would run "
                   "at {:.3g} m/s, "
                   "faster than in any rock. Are they in the right units? Try a softer soil.",
-                  material.name, material.parameters[0], material.density, speed));
+                  material.name, youngs_modulus(material), material.density, speed));
 }
 
 /// Settlement under its own weight, gamma H / (2 M) of the height H; M is the constrained modulus.
 void check_settlement(const Material& material, double weight, double height,
                       std::vector<std::string>& found) {
-  const double share = weight * height / (2.0 * constrained_modulus(material));
+  const double share = weight * height / (2.0 * material.model.moduli().wave_modulus());
   if (!(share > 0.1)) return;
   found.push_back(fmt::format(
       "material '{}': with E = {:.4g} Pa a body {:.4g} m high settles by about {:.0f} % of its "
       "height under its own weight. Is E in the right unit (kPa, MPa)? Try a stiffer soil.",
-      material.name, material.parameters[0], height, 100.0 * share));
+      material.name, youngs_modulus(material), height, 100.0 * share));
 }
 
 void check_gravity(const Scene& scene, std::vector<std::string>& found) {
@@ -188,11 +192,6 @@ void check_gravity(const Scene& scene, std::vector<std::string>& found) {
 
 std::string degrees_text(double angle) {
   return fmt::format("{:.4g} deg", angle * 45.0 / std::atan(1.0));
-}
-
-double constrained_modulus(const Material& material) {
-  // Both indices are 0 and 1 in every model: elasticity comes first.
-  return kernels::elastic_moduli(material.parameters[0], material.parameters[1]).wave_modulus();
 }
 
 void check_magnitudes(const Scene& scene, std::vector<std::string>& found) {

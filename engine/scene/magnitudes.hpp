@@ -12,9 +12,6 @@ namespace scarp {
 /// Adds one sentence per finding. Pre: the scene is valid.
 void check_magnitudes(const Scene& scene, std::vector<std::string>& found);
 
-/// Of uniaxial strain [Pa].
-double constrained_modulus(const Material& material);
-
 /// "20 deg" of an angle in radians.
 std::string degrees_text(double angle);
 

@@ -7,7 +7,6 @@
 #include "engine/scene/not_supported.hpp"
 #include "engine/scene/read_parts.hpp"
 #include "engine/scene/units.hpp"
-#include "kernels/constitutive/list.hpp"
 
 namespace scarp::input {
 namespace {
@@ -15,9 +14,8 @@ namespace {
 const kernels::ModelInfo& read_model(const Value& item) {
   // A first look without a list of keys: which keys are known depends on the model.
   const std::optional<Value> model = item.peek("model");
-  if (!model) return kernels::models[kernels::model_index("drucker_prager")];
-  const int index = kernels::model_index(model->text());
-  if (index >= 0) return kernels::models[static_cast<std::size_t>(index)];
+  if (!model) return SoilModel().info();
+  if (const kernels::ModelInfo* info = kernels::model_named(model->text())) return *info;
   std::vector<std::string> names;
   for (const auto& info : kernels::models) names.emplace_back(info.name);
   const std::string_view missing = not_supported("model", model->text());
@@ -70,25 +68,27 @@ Material read_material(const Value& item, const Scene& scene) {
 
   Material material;
   material.name = table.require("name", "\"clay\"").text();
-  material.model = model.name;
   material.density = read_density(table, scene.gravity);
   if (const auto k0 = table.find("k0")) {
     material.k0 = k0->number(kernels::Unit::none);
     if (!(*material.k0 >= 0.0)) k0->fail("it is negative. Try 0.5, or without it.");
   }
+  std::vector<double> parameters;
   for (const auto& spec : model.parameters) {
-    const double fallback = scene.dimension == 3 ? spec.default_value_3d : spec.default_value;
+    double fallback = scene.dimension == 3 ? spec.default_value_3d : spec.default_value;
+    if (spec.like != nullptr) fallback = parameters[*model.parameter(spec.like)];
     const auto value = table.find(spec.name);
     if (!value && std::isfinite(fallback)) {
-      material.parameters.push_back(fallback);
+      parameters.push_back(fallback);
     } else if (!value) {
       table.require(spec.name, fmt::format("{} ({})", example_of(spec), spec.description));
     } else if (spec.unit == kernels::Unit::choice) {
-      material.parameters.push_back(static_cast<double>(value->choice(spec.choices)));
+      parameters.push_back(static_cast<double>(value->choice(spec.choices)));
     } else {
-      material.parameters.push_back(value->number(spec.unit));
+      parameters.push_back(value->number(spec.unit));
     }
   }
+  material.model = SoilModel(model, std::move(parameters));
   return material;
 }
 

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "engine/scene/soil_model.hpp"
+
 namespace scarp {
 
 using Vec3 = std::array<double, 3>;
@@ -74,13 +76,13 @@ struct Numerics {
   Precision precision = Precision::real64;  ///< of the pair sweep; the state is always double
 };
 
-/// The rows of `kernels/constitutive/list.hpp` name the models and their parameters.
 struct Material {
   std::string name{};
-  std::string model = "drucker_prager";
-  double density = 0.0;              ///< reference density [kg/m3]
-  std::vector<double> parameters{};  ///< in the order the model declares, SI
+  SoilModel model{};           ///< as in `DruckerPrager{.youngs_modulus = 10e6, ...}`
+  double density = 0.0;        ///< reference density [kg/m3]
   std::optional<double> k0{};  ///< horizontal over vertical stress; empty: `Scene::initial_k0`
+
+  double sound_speed() const;  ///< of pressure waves [m/s]. Pre: the material is valid
 };
 
 struct Polygon {  ///< 2D outline, or in 3D its extrusion along y
@@ -211,6 +213,10 @@ bool is_used(const Scene& scene, std::size_t material);
 /// Horizontal over vertical stress of a material at rest: its own, else that of the scene, else
 /// nu/(1 - nu). Geostatic stress, stress diffusion and mirror images take it.
 double k0_of(const Scene& scene, const Material& material);
+
+/// History variables of the models of a scene, each name once: the fields that they add. Errors:
+/// SceneError for more than a run can hold.
+std::vector<kernels::StateField> history_of(const Scene& scene);
 
 /// What a stage divides the strength of a material by.
 double reduction_of(const Stage& stage, const Material& material);

@@ -13,7 +13,6 @@
 #include "engine/scene/scene_problem.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/scene/validate_parts.hpp"
-#include "kernels/constitutive/list.hpp"
 
 namespace scarp {
 namespace {
@@ -62,33 +61,30 @@ void check_names(const std::vector<Named>& list, const char* section) {
 
 void check_material(const Material& material, const std::string& path) {
   inside(material.density, 1e-6, 1e6, path + ".density");
-  const int index = kernels::model_index(material.model);
-  rule(index >= 0, path + ".model", '"' + material.model + '"',
+  const SoilModel& model = material.model;
+  rule(model.known(), path + ".model", '"' + model.name() + '"',
        "there is no such model. Try \"drucker_prager\".");
-  const auto specs = kernels::models[static_cast<std::size_t>(index)].parameters;
-  rule(material.parameters.size() == specs.size(), path + ".parameters",
-       fmt::format("{} values", material.parameters.size()),
-       fmt::format("model {} has {} parameters. Try to give each of them.", material.model,
+  const auto specs = model.info().parameters;
+  rule(model.parameters().size() == specs.size(), path + ".parameters",
+       fmt::format("{} values", model.parameters().size()),
+       fmt::format("model {} has {} parameters. Try to give each of them.", model.name(),
                    specs.size()));
   if (material.k0) inside(*material.k0, 0.0, 10.0, path + ".k0");
-  double friction = std::nan("");
+  const auto key = [&](std::size_t p) { return fmt::format("{}.{}", path, specs[p].name); };
   for (std::size_t p = 0; p < specs.size(); ++p) {
     const auto& spec = specs[p];
-    const double value = material.parameters[p];
-    const std::string key = fmt::format("{}.{}", path, spec.name);
+    const double value = model.parameters()[p];
     if (spec.unit == kernels::Unit::angle) {
-      checks::inside_degrees(value, spec.minimum, spec.maximum, key);
+      checks::inside_degrees(value, spec.minimum, spec.maximum, key(p));
     } else {
-      inside(value, spec.minimum, spec.maximum, key);
+      inside(value, spec.minimum, spec.maximum, key(p));
     }
-    rule(spec.unit != kernels::Unit::choice || value == std::floor(value), key,
+    rule(spec.unit != kernels::Unit::choice || value == std::floor(value), key(p),
          fmt::format("{}", value), "a choice is the index of a word. Try a whole number.");
-    if (std::string_view(spec.name) == "friction_angle") friction = value;
-    if (std::string_view(spec.name) == "dilation_angle" && value > friction) {
-      throw SceneProblem(key, fmt::format("{}", value),
-                         "dilation above the friction angle would create energy. Try at most the "
-                         "friction angle.");
-    }
+  }
+  if (const auto complaint = model.info().complaint(model.parameters())) {
+    throw SceneProblem(key(complaint->parameter),
+                       fmt::format("{}", model.parameters()[complaint->parameter]), complaint->why);
   }
 }
 
@@ -169,11 +165,17 @@ bool is_used(const Scene& scene, std::size_t material) {
                      [&](const Body& body) { return material_of(scene, body) == material; });
 }
 
+double Material::sound_speed() const { return std::sqrt(model.moduli().wave_modulus() / density); }
+
 double k0_of(const Scene& scene, const Material& material) {
   if (material.k0) return *material.k0;
   if (scene.initial_k0) return *scene.initial_k0;
-  const double poisson = material.parameters[1];
-  return poisson / (1.0 - poisson);
+  if (material.model.has("poisson_ratio")) {  // as given, not by way of the moduli
+    const double poisson = material.model.parameter("poisson_ratio");
+    return poisson / (1.0 - poisson);
+  }
+  const kernels::ElasticModuli moduli = material.model.moduli();
+  return 1.0 - 2.0 * moduli.shear_modulus / moduli.wave_modulus();
 }
 
 double reduction_of(const Stage& stage, const Material& material) {

@@ -10,29 +10,18 @@
 #include "engine/boundary/wall_gaps.hpp"
 #include "engine/particles/thin_places.hpp"
 #include "engine/scene/magnitudes.hpp"
-#include "kernels/constitutive/list.hpp"
 
 namespace scarp {
 namespace {
 
-using kernels::DruckerPrager;
-
-void check_cone(const Scene& scene, const Material& material, std::vector<std::string>& found) {
-  if (material.model != DruckerPrager::name) return;
-  const auto& p = material.parameters;
-  const double phi = p[DruckerPrager::friction_angle];
-  const auto cone = static_cast<kernels::Cone>(static_cast<int>(p[DruckerPrager::cone]));
-  if (scene.dimension == 2 && cone == kernels::Cone::outer) {
-    const double alpha = DruckerPrager::cone_constants(0.0, phi, 0.0, cone).alpha_phi;
-    if (3.0 * alpha >= 1.0) {
-      found.push_back(
-          fmt::format("material '{}': with cone = \"outer\" and a friction angle of {} the soil "
-                      "never yields in "
-                      "plane strain. Try cone = \"plane_strain\", or less than 42.2 deg.",
-                      material.name, degrees_text(phi)));
-    }
+void check_strength(const Scene& scene, const Material& material, std::vector<std::string>& found) {
+  const SoilModel& model = material.model;
+  if (const auto doubt = model.info().doubt(model.parameters(), scene.dimension)) {
+    found.push_back(fmt::format("material '{}': {}: {}", material.name,
+                                model.info().parameters[doubt->parameter].name, doubt->why));
   }
-  if (p[DruckerPrager::cohesion] == 0.0 && phi == 0.0) {
+  const auto strength = model.strength();
+  if (strength && strength->cohesion == 0.0 && strength->friction_angle == 0.0) {
     found.push_back(fmt::format(
         "material '{}': cohesion and friction angle are 0, so it has no strength at all.",
         material.name));
@@ -44,25 +33,23 @@ void check_cone(const Scene& scene, const Material& material, std::vector<std::s
 void check_contrast(const Scene& scene, std::vector<std::string>& found) {
   constexpr double much = 1000.0, enough = 100.0;
   const Material *soft = nullptr, *fast = nullptr;
-  const auto sound = [](const Material& m) {
-    return std::sqrt(constrained_modulus(m) / m.density);
-  };
+  const auto stiffness = [](const Material& m) { return m.model.moduli().wave_modulus(); };
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     if (!is_used(scene, m)) continue;
     const Material& material = scene.materials[m];
-    if (soft == nullptr || constrained_modulus(material) < constrained_modulus(*soft))
-      soft = &material;
-    if (fast == nullptr || sound(material) > sound(*fast)) fast = &material;
+    if (soft == nullptr || stiffness(material) < stiffness(*soft)) soft = &material;
+    if (fast == nullptr || material.sound_speed() > fast->sound_speed()) fast = &material;
   }
   if (soft == nullptr) return;
-  const double contrast = constrained_modulus(*fast) / constrained_modulus(*soft);
+  const double contrast = stiffness(*fast) / stiffness(*soft);
   if (contrast < much) return;
   found.push_back(fmt::format(
       "material '{}' makes the time step {:.3g} times shorter than '{}' needs. Where it only "
-      "carries, try youngs_modulus = {:.3g}: {:.2g} times fewer steps; under the same stress it "
+      "carries, try a Young's modulus of {:.3g} times its own: {:.2g} times fewer steps; under the "
+      "same stress it "
       "then "
       "strains {:.0f} % as much as '{}', instead of {:.2g} %.",
-      fast->name, sound(*fast) / sound(*soft), soft->name, fast->parameters[0] * enough / contrast,
+      fast->name, fast->sound_speed() / soft->sound_speed(), soft->name, enough / contrast,
       std::sqrt(contrast / enough), 100.0 / enough, soft->name, 100.0 / contrast));
 }
 
@@ -70,7 +57,7 @@ void check_contrast(const Scene& scene, std::vector<std::string>& found) {
 
 std::vector<std::string> warnings(const Scene& scene) {
   std::vector<std::string> found;
-  for (const Material& material : scene.materials) check_cone(scene, material, found);
+  for (const Material& material : scene.materials) check_strength(scene, material, found);
   check_magnitudes(scene, found);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     if (!is_used(scene, m)) {

@@ -32,11 +32,10 @@ namespace phases {
 
 inline constexpr Phase enter_stage{
     "enter_stage",
-    {Field::position, Field::velocity, Field::reference_position, Field::accumulated_plastic_strain,
-     Field::stress_work, Field::plastic_work, Field::diffusion_work, Part::walls},
-    {Field::velocity, Field::reference_position, Field::accumulated_plastic_strain,
-     Field::stress_work, Field::plastic_work, Field::diffusion_work, Part::records, Part::lists,
-     Part::walls},
+    {Field::position, Field::velocity, Field::reference_position, Part::history, Field::stress_work,
+     Field::plastic_work, Field::diffusion_work, Part::walls},
+    {Field::velocity, Field::reference_position, Part::history, Field::stress_work,
+     Field::plastic_work, Field::diffusion_work, Part::records, Part::lists, Part::walls},
     scarp::enter_stage};
 inline constexpr Phase end_step{
     "end_step",

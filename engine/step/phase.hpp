@@ -12,8 +12,8 @@ namespace scarp {
 struct State;
 
 /// What a phase touches besides the fields of the particles: packed records; cells and lists; what
-/// walls and their dummies do.
-enum class Part { records, lists, walls };
+/// walls and their dummies do; the history variables that the soil models declare.
+enum class Part { records, lists, walls, history };
 
 /// A set of fields and parts. Names may be in it that a run does not store.
 class DataSet {
@@ -34,12 +34,13 @@ class DataSet {
 
  private:
   static constexpr int field_count = static_cast<int>(Field::count);
-  static_assert(field_count + 3 <= 64);
-  static constexpr std::uint64_t bit(Field field) {
-    return std::uint64_t{1} << static_cast<int>(field);
-  }
+  static_assert(field_count + 4 <= 64);
   static constexpr std::uint64_t bit(Part part) {
     return std::uint64_t{1} << (field_count + static_cast<int>(part));
+  }
+  static constexpr std::uint64_t bit(Field field) {
+    if (field >= declared_field(0)) return bit(Part::history);
+    return std::uint64_t{1} << static_cast<int>(field);
   }
   static constexpr std::uint64_t bit(DataSet set) { return set.bits_; }
 

@@ -94,7 +94,7 @@ kernels::PairSweepView<double> sweep_view(State& state) {
   return view;
 }
 
-kernels::ParticleView particle_view(State& state) {
+kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& model) {
   ParticleBuffers& p = state.particles;
   kernels::ParticleView view{};
   p.components(Field::position, view.position);
@@ -104,7 +104,8 @@ kernels::ParticleView particle_view(State& state) {
   p.components(Field::previous_velocity, view.previous_velocity);
   view.previous_density = p.component(Field::previous_density);
   p.components(Field::previous_stress, view.previous_stress);
-  view.accumulated_plastic_strain = p.component(Field::accumulated_plastic_strain);
+  for (std::size_t h = 0; h < model.state_fields.size(); ++h)
+    view.history[h] = p.declared(model.state_fields[h].name);
   view.stress_work = p.component(Field::stress_work);
   view.plastic_work = p.component(Field::plastic_work);
   view.diffusion_work = p.component(Field::diffusion_work);

@@ -45,7 +45,8 @@ void sweep_force(State& state);     ///< kick-drift-kick: acceleration
 kernels::PairSweepView<double> sweep_input_view(const State& state);
 /// ... with the outputs of the step.
 kernels::PairSweepView<double> sweep_view(State& state);
-kernels::ParticleView particle_view(State& state);
+/// ... for the passes of a model.
+kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& model);
 /// Force sweep with other records, constants or outputs than the step's own (reactions, energies).
 /// `narrow` is where mixed precision puts its records.
 void sweep_force_with(const State& state, const kernels::PairSweepView<double>& view,

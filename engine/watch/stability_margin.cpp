@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "engine/errors.hpp"
-#include "kernels/constitutive/linear_elastic.hpp"
 
 namespace scarp {
 namespace {
@@ -34,9 +33,7 @@ std::optional<double> attempt(const Simulation& start, double factor, double spe
 double sound_speed(const Scene& scene) {
   double fastest = 0.0;
   for (const Material& material : scene.materials) {
-    const kernels::ElasticModuli moduli =
-        kernels::elastic_moduli(material.parameters[0], material.parameters[1]);
-    fastest = std::max(fastest, std::sqrt(moduli.wave_modulus() / material.density));
+    fastest = std::max(fastest, material.sound_speed());
   }
   return fastest;
 }

@@ -1,33 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The one list of constitutive models: reader, validation, stress pass and tests iterate it.
+/// The one list of constitutive models; everything else about them follows from their headers.
 #pragma once
-
-#include <array>
-#include <cstddef>
-#include <span>
-#include <string_view>
 
 #include "kernels/constitutive/drucker_prager.hpp"
 #include "kernels/constitutive/linear_elastic.hpp"
 
 namespace scarp::kernels {
 
-struct ModelInfo {
-  std::string_view name;
-  std::span<const ParameterSpec> parameters;
+template <class... Model>
+struct ModelList {
+  static constexpr std::size_t size = sizeof...(Model);
+  template <class Other>
+  static constexpr bool holds = (std::is_same_v<Model, Other> || ...);
 };
 
-inline constexpr std::array<ModelInfo, 2> models{{
-    {LinearElastic::name, LinearElastic::parameters},
-    {DruckerPrager::name, DruckerPrager::parameters},
-}};
-
-/// Index of the model in `models`, or -1.
-constexpr int model_index(std::string_view name) {
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    if (models[m].name == name) return static_cast<int>(m);
-  }
-  return -1;
-}
+using Models = ModelList<LinearElastic, DruckerPrager>;
 
 }  // namespace scarp::kernels

@@ -22,7 +22,8 @@ enum class Unit {
 };
 
 /// `default_value` NaN means required. A choice is stored as the index into `choices` ("a|b|c");
-/// its `default_value_3d` may differ from the one in 2D.
+/// its `default_value_3d` may differ from the one in 2D. A parameter that is `like` an earlier one
+/// takes that one's value where the scene says nothing.
 struct ParameterSpec {
   const char* name;
   Unit unit;
@@ -32,8 +33,10 @@ struct ParameterSpec {
   double default_value_3d;
   const char* choices;
   const char* description;
+  const char* like = nullptr;
 };
 
 inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double right_angle = 1.5707963267948966;
 
 }  // namespace scarp::kernels

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The fused per-particle pass: velocity gradient -> strain and spin -> rotation, elasticity,
-/// plasticity, density, and the time levels of the integrator.
+/// The fused per-particle pass: velocity gradient -> strain and spin -> rotation, the model's
+/// update, density, history, and the time levels of the integrator. `T` is the vector type.
 #pragma once
 
 #include <cstdint>
 
+#include "kernels/constitutive/model.hpp"
 #include "kernels/constitutive/stress_rotation.hpp"
-#include "kernels/constitutive/yield_return.hpp"
 #include "kernels/particle_view.hpp"
 
 namespace scarp::kernels {
@@ -35,47 +35,27 @@ SCARP_INLINE Tensor<T> corrected_gradient(const Tensor<T>& l, const SymTensor<T>
   return result;
 }
 
-/// Elastic strain of a stress, C^-1 : sigma.
+/// New stress of a point: rotate `stress`, then let the model take the strain. Returns the strain
+/// of the leap and its plastic part. Equation: E18, E21 over the time `leap`; Jaumann's rate turns
+/// `current`.
 template <class T>
-SCARP_INLINE SymTensor<T> elastic_strain(const StressPassConstants& c, const SymTensor<T>& s) {
-  return T(0.5 / c.shear_modulus) * deviator(s) +
-         isotropic(trace(s) * T(1.0 / (9.0 * c.bulk_modulus)));
-}
-
-/// What one particle's pass produces besides the stress.
-template <class T>
-struct StressIncrement {
-  SymTensor<T> strain;          ///< of the leap
-  SymTensor<T> plastic_strain;  ///< of the leap
-  T plastic_strain_magnitude;   ///< equivalent deviatoric, of the leap
+struct PointStrain {
+  SymTensor<T> total, plastic;
 };
-
-/// New stress of a point: rotate `base`, add the elastic (and diffusive) increment, return to the
-/// yield surface. Equation: E18, E21 over the time `leap`; Jaumann's rate turns `current`.
-template <bool Plastic, class T>
-SCARP_INLINE StressIncrement<T> advance_stress_point(const StressPassConstants& c,
-                                                     const Tensor<T>& gradient,
-                                                     const SymTensor<T>& current,
-                                                     const SymTensor<T>& diffusion,
-                                                     SymTensor<T>& stress) {
+template <class Model, class T>
+SCARP_INLINE PointStrain<T> advance_stress_point(
+    const StressPassConstants& c, const typename Model::Constants& constants,
+    const Tensor<T>& gradient, const SymTensor<T>& current, const SymTensor<T>& diffusion,
+    const T& density, History<T, Model::state_fields.size()>& history, SymTensor<T>& stress) {
   const T leap(c.leap);
   const Spin<T> spin = antisymmetric_part(gradient);
-  StressIncrement<T> out;
-  out.strain = leap * symmetric_part(gradient);
+  const StrainIncrement<T> step{leap * symmetric_part(gradient), diffusion, density, c.leap};
   if (c.hughes_winget) {
     stress = rotated(stress, hughes_winget_rotation(spin, leap));
   } else {
     stress = stress + leap * jaumann_rate(current, spin);
   }
-  stress = stress + T(2.0 * c.shear_modulus) * deviator(out.strain) +
-           isotropic(T(c.bulk_modulus) * trace(out.strain)) + diffusion;
-  out.plastic_strain_magnitude = T(0.0);
-  if constexpr (Plastic) {
-    const SymTensor<T> trial = stress;
-    out.plastic_strain_magnitude = return_to_yield_surface(c, stress);
-    out.plastic_strain = elastic_strain(c, trial - stress);
-  }
-  return out;
+  return {step.strain, Model::update(constants, step, stress, history)};
 }
 
 /// Loads and stores of one vector of particles.
@@ -148,43 +128,46 @@ struct ParticleLoads {
   }
 };
 
-/// Stress, density, plastic strain and work of one vector of particles from base stress and
-/// density. Returns how often the density bounds acted.
-template <class T, int Dim, bool Plastic>
+/// Stress, density, history and work of one vector of particles from base stress and density. The
+/// history goes on from the present level whatever the base: it takes the new share of the change
+/// over the leap. Returns how often the density bounds acted.
+template <class Model, class T, int Dim>
 SCARP_INLINE unsigned advance_material(const ParticleView& p, const StressPassConstants& c,
-                                       std::size_t k, const SymTensor<T>& base_stress,
-                                       const T& base_density, SymTensor<T>& stress, T& density) {
+                                       const typename Model::Constants& model, std::size_t k,
+                                       const SymTensor<T>& base_stress, const T& base_density,
+                                       SymTensor<T>& stress, T& density) {
   using Loads = ParticleLoads<T, Dim>;
   const SymTensor<T> current = Loads::tensor(p.stress, k);
   const T density_now = T::load_aligned(p.density + k);
   const Tensor<T> gradient = Loads::gradient(p, c, k);
   const SymTensor<T> diffusion = Loads::diffusion(p, c, density_now, k);
+  History<T, Model::state_fields.size()> history;
+  for (std::size_t h = 0; h < Model::state_fields.size(); ++h)
+    history.now[h] = T::load_aligned(p.history[h] + k);
   stress = base_stress;
-  const StressIncrement<T> step =
-      advance_stress_point<Plastic>(c, gradient, current, diffusion, stress);
+  const PointStrain<T> strain = advance_stress_point<Model>(c, model, gradient, current, diffusion,
+                                                            density_now, history, stress);
   const T share(c.plastic_share);
-  if constexpr (Plastic) {
-    const T sum =
-        T::load_aligned(p.accumulated_plastic_strain + k) + share * step.plastic_strain_magnitude;
-    sum.store_aligned(p.accumulated_plastic_strain + k);
-  }
+  for (std::size_t h = 0; h < Model::state_fields.size(); ++h)
+    (history.now[h] + share * history.change[h]).store_aligned(p.history[h] + k);
+  const ElasticModuli moduli = Model::moduli(model);
   if (p.stress_work != nullptr) {
     const SymTensor<T> mean = (T(0.5) * share / density_now) * (base_stress + stress);
-    (T::load_aligned(p.stress_work + k) + contract(mean, step.strain))
+    (T::load_aligned(p.stress_work + k) + contract(mean, strain.total))
         .store_aligned(p.stress_work + k);
-    if constexpr (Plastic) {
-      (T::load_aligned(p.plastic_work + k) + contract(mean, step.plastic_strain))
+    if constexpr (Model::yields) {
+      (T::load_aligned(p.plastic_work + k) + contract(mean, strain.plastic))
           .store_aligned(p.plastic_work + k);
     }
     if (p.diffusion_work != nullptr) {
-      (T::load_aligned(p.diffusion_work + k) - contract(mean, elastic_strain(c, diffusion)))
+      (T::load_aligned(p.diffusion_work + k) - contract(mean, elastic_strain(moduli, diffusion)))
           .store_aligned(p.diffusion_work + k);
     }
   }
   if (c.diffusion_cap > 0.0) {
     const SymTensor<T> rate = deviator(symmetric_part(gradient));
     const T h(c.smoothing_length);
-    const T sound_speed = root(T(c.bulk_modulus + 4.0 / 3.0 * c.shear_modulus) / density_now);
+    const T sound_speed = root(T(moduli.wave_modulus()) / density_now);
     const T gate = T(c.diffusion_shear_gate) * h * h * root(T(2.0) * contract(rate, rate));
     smaller(T(c.diffusion_cap) * h * sound_speed, gate).store_aligned(p.diffusivity + k);
   }
@@ -192,7 +175,7 @@ SCARP_INLINE unsigned advance_material(const ParticleView& p, const StressPassCo
     density = base_density + T(c.leap) * T::load_aligned(p.density_rate + k);
     return 0;
   }
-  const T free = base_density - density_now * trace(step.strain);
+  const T free = base_density - density_now * trace(strain.total);
   density = smaller(larger(free, T(c.density_minimum)), T(c.density_maximum));
   const auto bounded = density != free;
   if (none_of(bounded)) return 0;
@@ -207,11 +190,11 @@ SCARP_INLINE unsigned advance_material(const ParticleView& p, const StressPassCo
 /// acts on the mean of the old and new velocity, so that it is stable for any step. Levels: (n-1,
 /// n) -> (n, n+1). Pre: begin and end are multiples of the vector's size; arrays are 64-byte
 /// aligned. Errors: none.
-template <class Arch, int Dim, bool Plastic>
+template <class T, int Dim, class Model>
 std::uint64_t advance_verlet(const ParticleView& p, const StressPassConstants& c,
                              const VerletConstants& v, std::size_t begin, std::size_t end) {
-  using T = Batch<double, Arch>;
   using Loads = ParticleLoads<T, Dim>;
+  const auto model = unpacked<typename Model::Constants>(c.model);
   std::uint64_t bounded = 0;
   const double half_damping = 0.5 * v.damping * c.leap;
   const T keep((1.0 - half_damping) / (1.0 + half_damping)), gain(c.leap / (1.0 + half_damping));
@@ -222,7 +205,7 @@ std::uint64_t advance_verlet(const ParticleView& p, const StressPassConstants& c
     const T base_density = v.leaps ? T::load_aligned(p.previous_density + k) : density_now;
     SymTensor<T> stress;
     T density;
-    bounded += advance_material<T, Dim, Plastic>(p, c, k, base, base_density, stress, density);
+    bounded += advance_material<Model, T, Dim>(p, c, model, k, base, base_density, stress, density);
     for (int a = 0; a < Dim; ++a) {
       const T now = T::load_aligned(p.velocity[a] + k);
       const T base_velocity = v.leaps ? T::load_aligned(p.previous_velocity[a] + k) : now;
@@ -244,17 +227,17 @@ std::uint64_t advance_verlet(const ParticleView& p, const StressPassConstants& c
 
 /// Stress and density of particles [begin, end) over a whole step from rates at its middle
 /// (kick-drift-kick).
-template <class Arch, int Dim, bool Plastic>
+template <class T, int Dim, class Model>
 std::uint64_t advance_stress(const ParticleView& p, const StressPassConstants& c, std::size_t begin,
                              std::size_t end) {
-  using T = Batch<double, Arch>;
   using Loads = ParticleLoads<T, Dim>;
+  const auto model = unpacked<typename Model::Constants>(c.model);
   std::uint64_t bounded = 0;
   for (std::size_t k = begin; k < end; k += T::size) {
     SymTensor<T> stress;
     T density;
-    bounded += advance_material<T, Dim, Plastic>(p, c, k, Loads::tensor(p.stress, k),
-                                                 T::load_aligned(p.density + k), stress, density);
+    bounded += advance_material<Model, T, Dim>(p, c, model, k, Loads::tensor(p.stress, k),
+                                               T::load_aligned(p.density + k), stress, density);
     Loads::store(p.stress, k, stress);
     density.store_aligned(p.density + k);
   }

@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "kernels/constitutive/model_info.hpp"
+
 namespace scarp::kernels {
 namespace {
 
@@ -28,50 +30,57 @@ ReferenceMatrix array_of(const Matrix& m) {
 
 double contract(const Matrix& a, const Matrix& b) { return a.cwiseProduct(b).sum(); }
 Matrix deviator(const Matrix& a) { return a - a.trace() / 3.0 * Matrix::Identity(); }
-double root_j2(const Matrix& stress) {
-  const Matrix s = deviator(stress);
-  return std::sqrt(0.5 * contract(s, s));
-}
-double yield(const StressPassConstants& c, const Matrix& stress) {
-  return root_j2(stress) + c.alpha_phi * stress.trace() - c.k_c;
-}
 
 /// Hooke's law in Lame's form and its inverse in Young's. Equation: E4, E14.
-Matrix hooke(const StressPassConstants& c, const Matrix& strain) {
-  const double lame = c.bulk_modulus - 2.0 / 3.0 * c.shear_modulus;
-  return lame * strain.trace() * Matrix::Identity() + 2.0 * c.shear_modulus * strain;
+Matrix hooke(const ReferenceModel& m, const Matrix& strain) {
+  const double lame = m.bulk_modulus - 2.0 / 3.0 * m.shear_modulus;
+  return lame * strain.trace() * Matrix::Identity() + 2.0 * m.shear_modulus * strain;
 }
-Matrix strain_of(const StressPassConstants& c, const Matrix& stress) {
-  const double k = c.bulk_modulus, g = c.shear_modulus;
+Matrix strain_of(const ReferenceModel& m, const Matrix& stress) {
+  const double k = m.bulk_modulus, g = m.shear_modulus;
   const double young = 9.0 * k * g / (3.0 * k + g),
                poisson = (3.0 * k - 2.0 * g) / (6.0 * k + 2.0 * g);
   return ((1.0 + poisson) * stress - poisson * stress.trace() * Matrix::Identity()) / young;
-}
-
-/// df/dsigma or dg/dsigma: s/(2 sqrt(J2)) + alpha I.
-Matrix normal(const Matrix& stress, double alpha) {
-  const double j = root_j2(stress);
-  Matrix n = alpha * Matrix::Identity();
-  if (j > 0.0) n += deviator(stress) / (2.0 * j);
-  return n;
 }
 double equivalent(const Matrix& strain) {
   const Matrix e = deviator(strain);
   return std::sqrt(2.0 / 3.0 * contract(e, e));
 }
 
+double root_j2(const Matrix& stress) {
+  const Matrix s = deviator(stress);
+  return std::sqrt(0.5 * contract(s, s));
+}
+
+/// df/dsigma or dg/dsigma of a cone: s/(2 sqrt(J2)) + alpha I.
+Matrix cone_normal(const Matrix& stress, double alpha) {
+  const double j = root_j2(stress);
+  Matrix n = alpha * Matrix::Identity();
+  if (j > 0.0) n += deviator(stress) / (2.0 * j);
+  return n;
+}
+
 /// Flow along C : dg/dsigma until f = 0. On a cone neither gradient changes on the way, so one step
 /// of Newton is exact; if it turned the deviator round, the way would cross the axis, so the apex
 /// is the answer.
-Matrix flow_back(const StressPassConstants& c, const Matrix& trial) {
-  const double f = yield(c, trial);
+Matrix flow_back_to_cone(const ReferenceModel& m, const ConeConstants& c, const Matrix& trial) {
+  const double f = root_j2(trial) + c.alpha_phi * trial.trace() - c.k_c;
   if (!(f > 0.0)) return trial;
-  const Matrix direction = hooke(c, normal(trial, c.alpha_psi));
-  const double multiplier = f / contract(normal(trial, c.alpha_phi), direction);
+  const Matrix direction = hooke(m, cone_normal(trial, c.alpha_psi));
+  const double multiplier = f / contract(cone_normal(trial, c.alpha_phi), direction);
   const Matrix stress = trial - multiplier * direction;
   if (contract(deviator(stress), deviator(trial)) >= 0.0 && root_j2(trial) > 0.0) return stress;
   if (c.alpha_phi == 0.0) return trial.trace() / 3.0 * Matrix::Identity();
   return c.k_c / (3.0 * c.alpha_phi) * Matrix::Identity();
+}
+
+ReferenceMatrix drucker_prager(const ModelConstants& all, const ReferenceMatrix& trial,
+                               const ReferencePoint&, std::array<double, 4>& change) {
+  const auto c = unpacked<DruckerPrager::Constants>(all);
+  const ReferenceModel moduli{c.elastic.bulk_modulus, c.elastic.shear_modulus, nullptr};
+  const Matrix from = matrix_of(trial), stress = flow_back_to_cone(moduli, c.cone, from);
+  change[0] = equivalent(strain_of(moduli, from - stress));
+  return array_of(stress);
 }
 
 /// Velocity gradient over the moment, where that can be inverted. Equation: K1.
@@ -103,8 +112,8 @@ Matrix diffusion_increment(const ReferencePointRates& rates, const StressPassCon
 /// New stress and density from base values; updates strains and works of the point. Equation: E18,
 /// E21.
 bool advance_material(const ReferencePointRates& rates, const StressPassConstants& c, int dimension,
-                      bool plastic, const Matrix& base, double base_density, ReferencePoint& point,
-                      Matrix& stress, double& density) {
+                      const ReferenceModel& model, const Matrix& base, double base_density,
+                      ReferencePoint& point, Matrix& stress, double& density) {
   const Matrix current = matrix_of(point.stress);
   const Matrix gradient = used_gradient(rates, c, dimension);
   const Matrix strain = 0.5 * c.leap * (gradient + gradient.transpose());
@@ -117,22 +126,20 @@ bool advance_material(const ReferencePointRates& rates, const StressPassConstant
     stress = base + spin * current + current * spin.transpose();
   }
   const Matrix diffusion = diffusion_increment(rates, c, point.density);
-  stress += hooke(c, strain) + diffusion;
+  stress += hooke(model, strain) + diffusion;
   const Matrix trial = stress;
-  double magnitude = 0.0;
-  if (plastic) {
-    stress = flow_back(c, trial);
-    magnitude = equivalent(strain_of(c, trial - stress));
-  }
-  point.accumulated_plastic_strain += c.plastic_share * magnitude;
+  std::array<double, 4> change{};
+  if (model.come_back != nullptr)
+    stress = matrix_of(model.come_back(c.model, array_of(trial), point, change));
+  for (std::size_t h = 0; h < change.size(); ++h) point.history[h] += c.plastic_share * change[h];
   const Matrix mean = 0.5 / point.density * (base + stress);  // works are per mass
   point.stress_work += c.plastic_share * contract(mean, strain);
-  point.plastic_work += c.plastic_share * contract(mean, strain_of(c, trial - stress));
-  point.diffusion_work -= c.plastic_share * contract(mean, strain_of(c, diffusion));
+  point.plastic_work += c.plastic_share * contract(mean, strain_of(model, trial - stress));
+  point.diffusion_work -= c.plastic_share * contract(mean, strain_of(model, diffusion));
   const Matrix shear_rate = deviator(0.5 * (gradient + gradient.transpose()));
   const double h = c.smoothing_length;
   const double sound_speed =
-      std::sqrt((c.bulk_modulus + 4.0 / 3.0 * c.shear_modulus) / point.density);
+      std::sqrt((model.bulk_modulus + 4.0 / 3.0 * model.shear_modulus) / point.density);
   point.diffusivity =
       std::fmin(c.diffusion_cap * h * sound_speed,
                 c.diffusion_shear_gate * h * h * std::sqrt(2.0 * shear_rate.squaredNorm()));
@@ -147,15 +154,21 @@ bool advance_material(const ReferencePointRates& rates, const StressPassConstant
 
 }  // namespace
 
+ReferenceModel reference_model(std::string_view name, const ModelConstants& constants) {
+  const ElasticModuli moduli = model_named(name)->moduli(constants);
+  const ReferenceReturn come_back = name == DruckerPrager::name ? &drucker_prager : nullptr;
+  return {moduli.bulk_modulus, moduli.shear_modulus, come_back};
+}
+
 bool advance_verlet_reference(const ReferencePointRates& rates, const StressPassConstants& c,
-                              const VerletConstants& v, int dimension, bool plastic,
+                              const VerletConstants& v, int dimension, const ReferenceModel& model,
                               ReferencePoint& point) {
   const Matrix base = matrix_of(v.leaps ? point.previous_stress : point.stress);
   const double base_density = v.leaps ? point.previous_density : point.density;
   Matrix stress;
   double density = 0.0;
   const bool bounded =
-      advance_material(rates, c, dimension, plastic, base, base_density, point, stress, density);
+      advance_material(rates, c, dimension, model, base, base_density, point, stress, density);
   for (int a = 0; a < dimension; ++a) {
     const double now = point.velocity[a];
     const double start = v.leaps ? point.previous_velocity[a] : now;
@@ -174,10 +187,10 @@ bool advance_verlet_reference(const ReferencePointRates& rates, const StressPass
 }
 
 bool advance_stress_reference(const ReferencePointRates& rates, const StressPassConstants& c,
-                              int dimension, bool plastic, ReferencePoint& point) {
+                              int dimension, const ReferenceModel& model, ReferencePoint& point) {
   Matrix stress;
   double density = 0.0;
-  const bool bounded = advance_material(rates, c, dimension, plastic, matrix_of(point.stress),
+  const bool bounded = advance_material(rates, c, dimension, model, matrix_of(point.stress),
                                         point.density, point, stress, density);
   point.stress = array_of(stress);
   point.density = density;

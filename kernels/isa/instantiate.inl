@@ -3,11 +3,13 @@
 // SCARP_ISA_NAME. Variants add: 28 sweeps in double and 18 in single precision in the full set, 6
 // of each in the general one (SSE2 and the smoke set).
 
+#include "kernels/constitutive/list.hpp"
 #include "kernels/constitutive/stress_pass.hpp"
 #include "kernels/isa/kernel_table.hpp"
 #include "kernels/neighbour_filter.hpp"
 #include "kernels/pair/pair_sweep.hpp"
 #include "kernels/pair/wall_sweep.hpp"
+#include "kernels/simd_math.hpp"
 
 namespace scarp::kernels {
 namespace {
@@ -87,22 +89,25 @@ constexpr CompiledSweep<float> mixed[] = {
     in_float<3, Terms::force, on, on, off, off>,
 };
 
+constexpr std::array<ModelPasses, Models::size> passes = []<class... Model>(ModelList<Model...>) {
+  using T = Batch<double, Arch>;
+  return std::array<ModelPasses, Models::size>{
+      ModelPasses{{&advance_stress<T, 2, Model>, &advance_stress<T, 3, Model>},
+                  {&advance_verlet<T, 2, Model>, &advance_verlet<T, 3, Model>}}...};
+}(Models{});
+
 }  // namespace
 
 const KernelTable& SCARP_TABLE() {
-  static constexpr KernelTable table{
-      SCARP_ISA,
-      SCARP_ISA_NAME,
-      cluster_size<double, Arch>,
-      cluster_size<float, Arch>,
-      sweeps,
-      mixed,
-      {&wall_sweep<Arch, double, 2>, &wall_sweep<Arch, double, 3>},
-      {{{&advance_verlet<Arch, 2, false>, &advance_verlet<Arch, 2, true>},
-        {&advance_verlet<Arch, 3, false>, &advance_verlet<Arch, 3, true>}}},
-      {{{&advance_stress<Arch, 2, false>, &advance_stress<Arch, 2, true>},
-        {&advance_stress<Arch, 3, false>, &advance_stress<Arch, 3, true>}}},
-      &filter_candidates<Arch>};
+  static constexpr KernelTable table{SCARP_ISA,
+                                     SCARP_ISA_NAME,
+                                     cluster_size<double, Arch>,
+                                     cluster_size<float, Arch>,
+                                     sweeps,
+                                     mixed,
+                                     {&wall_sweep<Arch, double, 2>, &wall_sweep<Arch, double, 3>},
+                                     passes,
+                                     &filter_candidates<Arch>};
   return table;
 }
 

@@ -2,6 +2,8 @@
 /// Run-time choice of instruction set and sweep.
 #include "kernels/isa/kernel_table.hpp"
 
+#include "kernels/constitutive/model_info.hpp"
+
 namespace scarp::kernels {
 
 namespace {
@@ -23,6 +25,12 @@ PairSweep<Real> first_that_covers(std::span<const CompiledSweep<Real>> sweeps,
 
 }  // namespace
 
+const ModelPasses& KernelTable::passes_of(const ModelInfo& model) const {
+  if (model.passes != nullptr) return *model.passes;
+  std::size_t index = 0;
+  while (models.at(index).name != model.name) ++index;
+  return passes[index];
+}
 PairSweep<double> KernelTable::sweep_for(const SweepVariant& wanted) const {
   return first_that_covers(sweeps, wanted);
 }

@@ -8,9 +8,12 @@
 #include <span>
 #include <string_view>
 
+#include "kernels/constitutive/model_passes.hpp"
 #include "kernels/particle_view.hpp"
 
 namespace scarp::kernels {
+
+struct ModelInfo;
 
 enum class Isa { sse2, avx2, avx512 };
 
@@ -30,10 +33,6 @@ template <class Real>
 using PairSweep = void (*)(const PairSweepView<Real>&, std::int64_t begin, std::int64_t end);
 template <class Real>
 using WallSweep = void (*)(const WallSweepView<Real>&, std::int64_t begin, std::int64_t end);
-using VerletPass = std::uint64_t (*)(const ParticleView&, const StressPassConstants&,
-                                     const VerletConstants&, std::size_t begin, std::size_t end);
-using StressPass = std::uint64_t (*)(const ParticleView&, const StressPassConstants&,
-                                     std::size_t begin, std::size_t end);
 /// Writes the indices of the candidates that are neighbours, in order; returns how many.
 using CandidateFilter = int (*)(const CandidateView&, std::int32_t* out);
 
@@ -47,15 +46,16 @@ struct CompiledSweep {
 struct KernelTable {
   Isa isa;
   const char* name;
-  int cluster_size;                                 ///< particles per cluster, double
-  int mixed_cluster_size;                           ///< ... of the sweeps in single precision
-  std::span<const CompiledSweep<double>> sweeps;    ///< special before general
-  std::span<const CompiledSweep<float>> mixed;      ///< the same in single precision
-  std::array<WallSweep<double>, 2> wall_sweep;      ///< by dimension - 2
-  std::array<std::array<VerletPass, 2>, 2> verlet;  ///< by dimension - 2, plastic
-  std::array<std::array<StressPass, 2>, 2> stress;
+  int cluster_size;                               ///< particles per cluster, double
+  int mixed_cluster_size;                         ///< ... of the sweeps in single precision
+  std::span<const CompiledSweep<double>> sweeps;  ///< special before general
+  std::span<const CompiledSweep<float>> mixed;    ///< the same in single precision
+  std::array<WallSweep<double>, 2> wall_sweep;    ///< by dimension - 2
+  std::span<const ModelPasses> passes;            ///< by model of the list
   CandidateFilter filter_candidates;
 
+  /// Of a model of the list, or those that another one brings.
+  const ModelPasses& passes_of(const ModelInfo& model) const;
   /// The most special kernel that covers what is asked for; every table holds a general one.
   PairSweep<double> sweep_for(const SweepVariant& wanted) const;
   PairSweep<float> mixed_sweep_for(const SweepVariant& wanted) const;

@@ -18,7 +18,7 @@ namespace {
 Scene thrown_block() {
   Scene scene;
   scene.spacing = 0.05;
-  Material clay{"clay", "drucker_prager", 2000.0, {10e6, 0.3, 10e3, 0.35, 0.0, 0.0}};
+  Material clay{"clay", DruckerPrager{10e6, 0.3, 10e3, 0.35, 0.0, Cone::plane_strain}, 2000.0};
   scene.materials = {clay};
   Body block;
   block.shape = Polygon{{{1.0, 0.0}, {6.0, 0.0}, {6.0, 2.0}, {1.0, 2.0}}};

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "kernels/constitutive/model_info.hpp"
+
 namespace scarp::test {
 namespace {
 
@@ -81,9 +83,9 @@ TEST(KernelTableTest, EveryEntryIsThere) {
     const KernelTable& table = kernels_of(isa);
     for (const std::size_t d : {0u, 1u}) {
       EXPECT_NE(table.wall_sweep[d], nullptr);
-      for (const std::size_t plastic : {0u, 1u}) {
-        EXPECT_NE(table.verlet[d][plastic], nullptr);
-        EXPECT_NE(table.stress[d][plastic], nullptr);
+      for (const ModelInfo& model : models) {
+        EXPECT_NE(table.passes_of(model).verlet[d], nullptr) << model.name;
+        EXPECT_NE(table.passes_of(model).stress[d], nullptr) << model.name;
       }
     }
     EXPECT_NE(table.filter_candidates, nullptr);

@@ -32,10 +32,10 @@ inline Wall wall_of(const std::string& name, WallKind kind, std::vector<Facet> f
 }
 
 inline Material clay() {
-  return {"clay", "drucker_prager", 2000.0, {100e6, 0.3, 10e3, 0.349, 0.157, 0.0}};
+  return {"clay", DruckerPrager{100e6, 0.3, 10e3, 0.349, 0.157, Cone::plane_strain}, 2000.0};
 }
 inline Material elastic(double youngs_modulus = 10e6) {
-  return {"elastic", "linear_elastic", 2000.0, {youngs_modulus, 0.3}};
+  return {"elastic", LinearElastic{youngs_modulus, 0.3}, 2000.0};
 }
 
 /// Elastic column 1 m x `height` between smooth sides on a smooth base, loaded by its weight and
@@ -89,7 +89,7 @@ inline Scene small_collapse(const std::string& preset_name, double spacing, doub
   scene.gravity = {0, 0, -9.81};
   scene.spacing = spacing;
   scene.numerics = preset(preset_name);
-  scene.materials = {{"sand", "drucker_prager", 1530.0, {2e6, 0.25, 0.0, 0.576, 0.0, 1.0}}};
+  scene.materials = {{"sand", DruckerPrager{2e6, 0.25, 0.0, 0.576, 0.0, Cone::outer}, 1530.0}};
   scene.bodies = {{.shape = Box{{0, 0, 0}, {0.24, 0.16, 0.16}}}};
   const auto face = [](Vec3 origin, Vec3 u, Vec3 v, double length_u, double length_v, Vec3 normal) {
     return Facet{origin, u, v, length_u, length_v, normal};

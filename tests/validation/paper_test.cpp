@@ -92,7 +92,7 @@ Scene block() {
   Material soil;
   soil.name = "soil";
   soil.density = 1800.0;
-  soil.parameters = {1e6, 0.3, 1e3, 0.35, 0.0, 0.0};
+  soil.model = DruckerPrager{1e6, 0.3, 1e3, 0.35};
   scene.materials = {soil};
   Body body;
   body.shape = Box{{0, 0, 0}, {1, 1, 0}};

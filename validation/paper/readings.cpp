@@ -16,8 +16,6 @@
 namespace scarp::validation {
 namespace {
 
-using kernels::Cone;
-
 /// The slope by Eq. 11 is above its limit at SRF 1 (factor of safety 0.89 in the plane at 12 m), so
 /// it settles with more strength than the paper gives it.
 constexpr double settling_strength = 1.5;
@@ -32,7 +30,7 @@ StudyRun study_run(const CaseRun& run, const Reading& reading, SlopeShape shape)
   const Slope3d slope(shape, reading.size);
   const Cone cone = slope.plane() ? reading.plane_cone : reading.cone;
   Scene scene = slope.scene(run.scene_at(reading.spacing, reading.preset));
-  scene.materials.front().parameters[kernels::DruckerPrager::cone] = static_cast<double>(cone);
+  scene.materials.front().model.set("cone", static_cast<double>(cone));
   if (cone == Cone::plane_strain) scene.stages.front().strength_reduction = 1.0 / settling_strength;
   StudyRun study;
   study.name = fmt::format("{}, {} cone, {}, {:g} m high, dx {:.3g} m", words(shape),

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/paper/set_forecast.hpp"
 #include "validation/paper/slope_measures.hpp"
 #include "validation/paper/study_run.hpp"
@@ -17,9 +16,9 @@ namespace scarp::validation {
 /// One choice of everything that is open.
 struct Reading {
   std::string name;
-  kernels::Cone cone = kernels::Cone::outer;        ///< of the 3D slopes
-  kernels::Cone plane_cone = kernels::Cone::outer;  ///< of the plane counterparts
-  std::string preset;                               ///< empty: the scene's
+  Cone cone = Cone::outer;        ///< of the 3D slopes
+  Cone plane_cone = Cone::outer;  ///< of the plane counterparts
+  std::string preset;             ///< empty: the scene's
   SlopeSize size;
   double spacing = 0.0;  ///< [m]
 };

@@ -15,8 +15,6 @@
 #include "engine/setup.hpp"
 #include "engine/watch/stability_margin.hpp"
 #include "engine/watch/watch.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
-#include "kernels/constitutive/yield_return.hpp"
 #include "validation/pressure_noise.hpp"
 
 namespace scarp::validation {
@@ -112,23 +110,23 @@ class Measures {
     const std::vector<double> density = simulation.field("density"),
                               stress = simulation.field("stress"),
                               material = simulation.field("material");
-    std::vector<kernels::StressPassConstants> constants;
+    std::vector<kernels::ModelConstants> constants;
     for (const Material& m : scene.materials)
-      constants.push_back(stress_pass_constants(scene, m, stage.strength_reduction));
+      constants.push_back(stress_pass_constants(scene, m, stage.strength_reduction).model);
     for (std::size_t k = 0; k < density.size(); ++k) {
       const auto m = static_cast<std::size_t>(material[k]);
       const double ratio = density[k] / scene.materials[m].density;
       record.density_low = std::min(record.density_low, ratio);
       record.density_high = std::max(record.density_high, ratio);
-      if (scene.materials[m].model != kernels::DruckerPrager::name) continue;
-      const kernels::StressPassConstants& c = constants[m];
+      if (!scene.materials[m].model.yields()) continue;
       const double* s = &stress[6 * k];
       const kernels::SymTensor<double> tensor{s[0], s[1], s[2], s[3], s[4], s[5]};
       const double i1 = kernels::trace(tensor);
-      const double f = kernels::yield_function(c, kernels::root_j2(kernels::deviator(tensor)), i1);
+      const double f = scene.materials[m].model.info().yield_function(constants[m], tensor, {});
       // At the apex strength is 0: there a pascal, or round-off of the pressure, is what f is held
       // against.
-      const double strength = std::max(c.k_c - c.alpha_phi * i1, 1e-6 * std::abs(i1) + 1.0);
+      const double strength =
+          std::max(kernels::root_j2(kernels::deviator(tensor)) - f, 1e-6 * std::abs(i1) + 1.0);
       record.yield_overshoot = std::max(record.yield_overshoot, f / strength);
     }
   }

@@ -60,7 +60,7 @@ class Map {
 };
 
 Change youngs(double e) {
-  return [e](Cell& cell) { cell.scene.materials[0].parameters[0] = e; };
+  return [e](Cell& cell) { cell.scene.materials[0].model.set("youngs_modulus", e); };
 }
 Change material(const Material& m) {
   return [m](Cell& cell) { cell.scene.materials[0] = m; };
@@ -269,8 +269,9 @@ Scene scaled_slope(const std::string& preset_name, double factor, Vec3 origin) {
       facet.length_u *= factor;
     }
   }
-  scene.materials[0].parameters[2] *= factor;  // c/(gamma H) stays
-  scene.materials[0].parameters[0] *= std::max(factor, 0.01);
+  SoilModel& soil = scene.materials[0].model;
+  soil.set("cohesion", soil.parameter("cohesion") * factor);  // c/(gamma H) stays
+  soil.set("youngs_modulus", soil.parameter("youngs_modulus") * std::max(factor, 0.01));
   return scene;
 }
 

@@ -38,9 +38,9 @@ Wall wall_2d(const std::string& name, WallKind kind, std::vector<Facet> facets) 
 Material soil(double youngs, double cohesion, double friction_deg, double dilation_deg,
               double poisson, double density) {
   return {"soil",
-          "drucker_prager",
-          density,
-          {youngs, poisson, cohesion, friction_deg * degree, dilation_deg * degree, 0.0}};
+          DruckerPrager{youngs, poisson, cohesion, friction_deg * degree, dilation_deg * degree,
+                        Cone::plane_strain},
+          density};
 }
 
 Body box_of(const std::string& material, double x0, double y0, double x1, double y1,
@@ -53,7 +53,7 @@ Body box_of(const std::string& material, double x0, double y0, double x1, double
 }
 
 Material solid(const std::string& name, double youngs, double density) {
-  return {name, "linear_elastic", density, {youngs, 0.3}};
+  return {name, LinearElastic{youngs, 0.3}, density};
 }
 
 void set_stages(Scene& scene, double settle_passages) {

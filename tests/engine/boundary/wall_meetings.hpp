@@ -75,10 +75,10 @@ inline Scene basin(const Meeting& m) {
   Scene scene;
   scene.spacing = dx;
   scene.numerics = preset("modern");
-  scene.materials = {{"soil",
-                      "drucker_prager",
-                      2000.0,
-                      {2e6, 0.3, m.sand ? 0.0 : 1e3, m.sand ? 0.576 : 0.349, 0.0, 0.0}}};
+  scene.materials = {
+      {"soil",
+       DruckerPrager{2e6, 0.3, m.sand ? 0.0 : 1e3, m.sand ? 0.576 : 0.349, 0.0, Cone::plane_strain},
+       2000.0}};
   const double slant = 1.0 / std::tan(m.angle * std::numbers::pi / 180.0);
   const double lean = std::abs(slant) < 1e-12 ? 0.0 : slant;
   scene.bodies = {{.shape = Polygon{{{0, 0}, {w, 0}, {w, h}, {lean * h, h}}}}};

@@ -56,10 +56,10 @@ Scene room_scene(const Room& r) {
   scene.gravity = {0, 0, -9.81};
   scene.spacing = dx;
   scene.numerics = preset("modern");
-  scene.materials = {{"soil",
-                      "drucker_prager",
-                      2000.0,
-                      {2e6, 0.3, r.sand ? 0.0 : 1e3, r.sand ? 0.576 : 0.349, 0.0, 0.0}}};
+  scene.materials = {
+      {"soil",
+       DruckerPrager{2e6, 0.3, r.sand ? 0.0 : 1e3, r.sand ? 0.576 : 0.349, 0.0, Cone::plane_strain},
+       2000.0}};
   scene.bodies = {{.shape = Box{{0, 0, 0}, {x, y, h}}}};
   const double tall = 2.0 * h + below;
   const Vec3 ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
@@ -121,7 +121,8 @@ TEST(WallMeetingsTest, BedBetweenSidesThatGoOnBelowStaysAtRest) {
   Scene scene;
   scene.spacing = 0.1;
   scene.numerics = preset("modern");
-  scene.materials = {{"clay", "drucker_prager", 2000.0, {2e6, 0.3, 1e3, 0.349, 0.0, 0.0}}};
+  scene.materials = {
+      {"clay", DruckerPrager{2e6, 0.3, 1e3, 0.349, 0.0, Cone::plane_strain}, 2000.0}};
   scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 2, 0}}}};
   scene.walls = {
       wall_of("base", WallKind::no_slip, {facet_2d(0, 0, 1, 0)}),
@@ -147,7 +148,8 @@ TEST(WallMeetingsTest, RoughPlateBetweenSmoothSidesKeepsAllSoilBelowIt) {
   scene.spacing = 0.05;
   scene.gravity = {};
   scene.numerics = preset("modern");
-  scene.materials = {{"clay", "drucker_prager", 1800.0, {2e6, 0.3, 10e3, 0.349, 0.0, 0.0}}};
+  scene.materials = {
+      {"clay", DruckerPrager{2e6, 0.3, 10e3, 0.349, 0.0, Cone::plane_strain}, 1800.0}};
   scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 0.5, 0}}}};
   Wall plate = wall_of("plate", WallKind::no_slip, {facet_2d(1, 0.5, 0, 0.5)});
   plate.velocity = {0.0, -0.1, 0.0};
@@ -171,7 +173,8 @@ TEST(WallMeetingsTest, FootingBesideASymmetryPlaneIsHalfOfTheWhole) {
     Scene scene;
     scene.spacing = 0.1;
     scene.numerics = preset("modern");
-    scene.materials = {{"clay", "drucker_prager", 2000.0, {2e6, 0.3, 5e3, 0.349, 0.0, 0.0}}};
+    scene.materials = {
+        {"clay", DruckerPrager{2e6, 0.3, 5e3, 0.349, 0.0, Cone::plane_strain}, 2000.0}};
     scene.bodies = {{.shape = Box{{left, 0, 0}, {2, 1, 0}}}};
     const double reach = left < 0.0 ? -0.5 : 0.0;
     Wall plate = wall_of("footing", WallKind::no_slip, {facet_2d(0.5, 1, reach, 1)});

@@ -177,7 +177,7 @@ TEST(Snapshot, IsRefusedByAnotherScene) {
     }
   };
   refused([](Scene& s) { s.numerics.cfl = 0.5; }, "numerics.cfl = 1, here numerics.cfl = 0.5");
-  refused([](Scene& s) { s.materials[0].parameters[2] += 1.0; }, "material[0].parameters");
+  refused([](Scene& s) { s.materials[0].model.set("cohesion", 1.0); }, "material[0].parameters");
   refused([](Scene& s) { s.spacing *= 2.0; }, "spacing");
   refused([](Scene& s) { s.stages.pop_back(); }, "stage[1].name = fail, here nothing");
   refused([](Scene& s) { s.walls[0].velocity = {1, 0, 0}; }, "wall[0].velocity");

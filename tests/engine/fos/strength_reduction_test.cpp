@@ -184,9 +184,9 @@ TEST(StrengthReductionTest, CutsOnlyTheMaterialsThatTheLastStageNames) {
 
 TEST(StrengthReductionTest, ASlopeThatFailsUnreducedIsRefused) {
   Scene weak = coarse_slope();
-  weak.materials.front().parameters[2] = 1e3;
-  weak.materials.front().parameters[3] = 0.1;
-  weak.materials.front().parameters[4] = 0.0;
+  weak.materials.front().model.set("cohesion", 1e3);
+  weak.materials.front().model.set("friction_angle", 0.1);
+  weak.materials.front().model.set("dilation_angle", 0.0);
   weak.stages.front().duration = 0.1;
   StrengthReduction slope = settled_slope(weak);
   EXPECT_NE(message_of([&] { find_factor(slope, {}, {}); }).find("strength_reduction below 1"),
@@ -196,9 +196,9 @@ TEST(StrengthReductionTest, ASlopeThatFailsUnreducedIsRefused) {
 
 TEST(SettleStandingTest, ASlopeBelowItsLimitIsStrengthenedAndItsFactorFound) {
   Scene weak = coarse_slope();
-  auto& p = weak.materials.front().parameters;
-  p[2] /= 1.6;
-  p[3] = std::atan(std::tan(p[3]) / 1.6);
+  SoilModel& soil = weak.materials.front().model;
+  soil.set("cohesion", soil.parameter("cohesion") / 1.6);
+  soil.set("friction_angle", std::atan(std::tan(soil.parameter("friction_angle")) / 1.6));
   const Criterion criterion = choose_criterion(weak, {});
   std::vector<double> told;
   std::optional<StandingSlope> standing =
@@ -220,7 +220,7 @@ TEST(SettleStandingTest, ATiltedFlumeHasTheFactorOfTheInfiniteSlope) {
   Scene scene = coarse_slope();
   scene.spacing = 0.2;
   scene.gravity = {9.81 * std::sin(tilt), -9.81 * std::cos(tilt), 0.0};
-  scene.materials = {{"sand", "drucker_prager", 2000.0, {50e6, 0.3, c, phi, phi, 0.0}}};
+  scene.materials = {{"sand", DruckerPrager{50e6, 0.3, c, phi, phi, Cone::plane_strain}, 2000.0}};
   scene.bodies = {{.shape = Box{{0, 0, 0}, {10, depth, 0}}}};
   scene.walls = {test::wall_of("base", WallKind::no_slip, {test::facet_2d(0, 0, 10, 0)}),
                  test::wall_of("ends", WallKind::free_slip,
@@ -255,14 +255,14 @@ TEST(DilationNoteTest, NamesMaterialsWithFrictionAloneAndBoundsTheFactor) {
   Scene scene = coarse_slope();
   EXPECT_FALSE(dilation_note(scene));
   EXPECT_TRUE(looks_reducible(scene));
-  scene.materials.front().parameters[4] = 0.0;
+  scene.materials.front().model.set("dilation_angle", 0.0);
   const std::optional<std::string> note = dilation_note(scene, 1.332);
   ASSERT_TRUE(note);
   EXPECT_NE(note->find("'clay'"), std::string::npos);
   // 1.332 sqrt(1 + 4/3 (tan 20 deg/1.332)^2) = 1.397
   EXPECT_NE(note->find("up to 1.397"), std::string::npos) << *note;
   EXPECT_EQ(dilation_note(scene)->find("up to"), std::string::npos);
-  scene.materials.front().parameters[3] = 0.0;
+  scene.materials.front().model.set("friction_angle", 0.0);
   EXPECT_FALSE(dilation_note(scene));
   scene.stages.pop_back();
   EXPECT_FALSE(looks_reducible(scene));

@@ -23,8 +23,7 @@ Scene scene_of(int dimension, double spacing, const std::vector<double>& densiti
   scene.spacing = spacing;
   scene.gravity = dimension == 2 ? Vec3{0.0, -g, 0.0} : Vec3{0.0, 0.0, -g};
   for (const double density : densities) {
-    scene.materials.push_back(
-        {name_of(scene.materials.size()), "linear_elastic", density, {20e6, 0.3}});
+    scene.materials.push_back({name_of(scene.materials.size()), LinearElastic{20e6, 0.3}, density});
   }
   scene.bodies = std::move(bodies);
   return scene;

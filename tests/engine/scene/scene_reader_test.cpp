@@ -10,13 +10,10 @@
 
 #include "engine/errors.hpp"
 #include "engine/scene/warnings.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "tests/engine/scene/scene_texts.hpp"
 
 namespace scarp {
 namespace {
-
-using kernels::DruckerPrager;
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
@@ -34,16 +31,15 @@ TEST(SceneReaderTest, ReadsTheSlope) {
   EXPECT_EQ(scene.numerics.preset, "modern");
 
   ASSERT_EQ(scene.materials.size(), 1u);
-  const auto& p = scene.materials[0].parameters;
+  const auto p = scene.materials[0].model.as<DruckerPrager>();
   EXPECT_EQ(scene.materials[0].name, "clay");
   EXPECT_EQ(scene.materials[0].density, 2000.0);
-  ASSERT_EQ(p.size(), DruckerPrager::parameters.size());
-  EXPECT_EQ(p[DruckerPrager::youngs_modulus], 100e6);
-  EXPECT_EQ(p[DruckerPrager::poisson_ratio], 0.3);
-  EXPECT_EQ(p[DruckerPrager::cohesion], 10e3);
-  EXPECT_DOUBLE_EQ(p[DruckerPrager::friction_angle], 20.0 * degree);
-  EXPECT_DOUBLE_EQ(p[DruckerPrager::dilation_angle], 9.0 * degree);
-  EXPECT_EQ(p[DruckerPrager::cone], static_cast<double>(kernels::Cone::plane_strain));
+  EXPECT_EQ(p.youngs_modulus, 100e6);
+  EXPECT_EQ(p.poisson_ratio, 0.3);
+  EXPECT_EQ(p.cohesion, 10e3);
+  EXPECT_DOUBLE_EQ(p.friction_angle, 20.0 * degree);
+  EXPECT_DOUBLE_EQ(p.dilation_angle, 9.0 * degree);
+  EXPECT_EQ(p.cone, Cone::plane_strain);
 
   ASSERT_EQ(scene.bodies.size(), 1u);
   const auto& polygon = std::get<Polygon>(scene.bodies[0].shape);
@@ -76,11 +72,10 @@ TEST(SceneReaderTest, ReadsTheSlope) {
 TEST(SceneReaderTest, ReadsEverySectionInThreeDimensions) {
   const Scene scene = read(everything_text);
   EXPECT_EQ(scene.gravity, (Vec3{0.0, 0.0, -9.81}));
-  EXPECT_EQ(scene.materials[0].parameters[DruckerPrager::cone],
-            static_cast<double>(kernels::Cone::outer));
-  EXPECT_EQ(scene.materials[0].parameters[DruckerPrager::dilation_angle], 0.0);
-  EXPECT_EQ(scene.materials[1].model, "linear_elastic");
-  EXPECT_EQ(scene.materials[1].parameters.size(), 2u);
+  EXPECT_EQ(scene.materials[0].model.parameter("cone"), static_cast<double>(Cone::outer));
+  EXPECT_EQ(scene.materials[0].model.parameter("dilation_angle"), 0.0);
+  EXPECT_EQ(scene.materials[1].model.name(), "linear_elastic");
+  EXPECT_EQ(scene.materials[1].model.parameters().size(), 2u);
 
   ASSERT_EQ(scene.bodies.size(), 6u);
   EXPECT_EQ(std::get<Polygon>(scene.bodies[0].shape).extrude, (std::array<double, 2>{0.0, 2.0}));
@@ -235,7 +230,7 @@ TEST(SceneReaderTest, TextMayHoldAnyLetterAndCommentsToo) {
 TEST(SceneReaderTest, MadeInCodeNamesTheKeyWithoutALine) {
   Scene scene = read(slope_text);
   EXPECT_NO_THROW(validate(scene));
-  scene.materials[0].parameters[DruckerPrager::dilation_angle] = 1.0;
+  scene.materials[0].model.set("dilation_angle", 1.0);
   try {
     validate(scene);
     ADD_FAILURE() << "dilation above friction was accepted";

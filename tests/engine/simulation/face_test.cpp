@@ -23,8 +23,9 @@ Scene thrown_grain(const std::string& preset_name, const Throw& thrown) {
   scene.spacing = 0.1;
   scene.gravity = {0.0, -9.81, 0.0};
   scene.numerics = preset(preset_name);
-  scene.materials = {
-      {"sand", "drucker_prager", 2000.0, {thrown.youngs_modulus, 0.3, 0.0, 0.52, 0.0, 0.0}}};
+  scene.materials = {{"sand",
+                      DruckerPrager{thrown.youngs_modulus, 0.3, 0.0, 0.52, 0.0, Cone::plane_strain},
+                      2000.0}};
   scene.bodies = {
       {.shape = Box{{0, 0.2, 0}, {0.1, 0.3, 0}}, .velocity = {1.0, -thrown.speed, 0.0}}};
   scene.walls = {wall_of("floor", WallKind::no_slip, {facet_2d(-10, 0, 10, 0)})};

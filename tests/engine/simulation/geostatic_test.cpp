@@ -25,16 +25,16 @@ std::vector<Wall> bin(double width, double height, WallKind base) {
 }
 
 double stiffness(const Material& m) {
-  const double nu = m.parameters[1];
-  return m.parameters[0] * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  const double nu = m.model.parameter("poisson_ratio");
+  return m.model.parameter("youngs_modulus") * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
 }
 
 /// Peat over rock: the stress at the start, and that the column then stays.
 TEST(GeostaticTest, LightSoilOverHeavyRockStaysAtRest) {
   Scene scene;
   scene.spacing = 0.5;
-  scene.materials = {{"peat", "linear_elastic", 1000.0, {20e6, 0.3}},
-                     {"rock", "linear_elastic", 2600.0, {20e6, 0.3}}};
+  scene.materials = {{"peat", LinearElastic{20e6, 0.3}, 1000.0},
+                     {"rock", LinearElastic{20e6, 0.3}, 2600.0}};
   scene.bodies = {box("peat", {0, 5, 0}, {4, 10, 0}), box("rock", {0, 0, 0}, {4, 5, 0})};
   scene.walls = bin(4, 14, WallKind::no_slip);
   scene.initial_stress = InitialStress::geostatic;
@@ -67,8 +67,9 @@ TEST(GeostaticTest, LightSoilOverHeavyRockStaysAtRest) {
 TEST(GeostaticTest, AHangingBoulderDoesNotThrowTheBedUp) {
   Scene scene;
   scene.spacing = 0.2;
-  scene.materials = {{"soil", "drucker_prager", 2000.0, {20e6, 0.3, 5e3, 0.5236, 0.0, 0.0}},
-                     {"boulder", "linear_elastic", 2600.0, {20e6, 0.3}}};
+  scene.materials = {
+      {"soil", DruckerPrager{20e6, 0.3, 5e3, 0.5236, 0.0, Cone::plane_strain}, 2000.0},
+      {"boulder", LinearElastic{20e6, 0.3}, 2600.0}};
   scene.bodies = {box("soil", {0, 0, 0}, {6, 1, 0}), box("boulder", {2.4, 11, 0}, {3.6, 12, 0})};
   scene.walls = bin(6, 14, WallKind::no_slip);
   scene.initial_stress = InitialStress::geostatic;
@@ -100,7 +101,7 @@ TEST(GeostaticTest, AHangingBoulderDoesNotThrowTheBedUp) {
 TEST(GeostaticTest, ABlockOnAShelfAboveDoesNotSlowTheSettlingDown) {
   Scene scene;
   scene.spacing = 0.25;
-  scene.materials = {{"soil", "linear_elastic", 2000.0, {20e6, 0.3}}};
+  scene.materials = {{"soil", LinearElastic{20e6, 0.3}, 2000.0}};
   scene.bodies = {box("soil", {0, 0, 0}, {2, 1, 0}), box("soil", {0, 100, 0}, {2, 101, 0})};
   scene.walls = bin(2, 2, WallKind::no_slip);
   scene.walls.push_back(wall_of("shelf", WallKind::no_slip, {facet_2d(0, 100, 2, 100)}));
@@ -144,9 +145,10 @@ TEST(GeostaticTest, ASettledStackOfLayersKeepsTheK0OfEach) {
     Scene scene;
     scene.spacing = 0.125;
     // Densities, stiffness and K0 all change from layer to layer; the strength holds them.
-    scene.materials = {{"peat", "drucker_prager", 1000.0, {5e6, 0.3, 50e3, 0.6, 0.0, 0.0}, 0.6},
-                       {"clay", "drucker_prager", 2000.0, {20e6, 0.4, 50e3, 0.6, 0.0, 0.0}, 1.0},
-                       {"rock", "linear_elastic", 2600.0, {100e6, 0.25}}};
+    scene.materials = {
+        {"peat", DruckerPrager{5e6, 0.3, 50e3, 0.6, 0.0, Cone::plane_strain}, 1000.0, 0.6},
+        {"clay", DruckerPrager{20e6, 0.4, 50e3, 0.6, 0.0, Cone::plane_strain}, 2000.0, 1.0},
+        {"rock", LinearElastic{100e6, 0.25}, 2600.0}};
     scene.bodies = {box("peat", {0, 2, 0}, {1, 3, 0}), box("clay", {0, 1, 0}, {1, 2, 0}),
                     box("rock", {0, 0, 0}, {1, 1, 0})};
     scene.walls = bin(1, 4, base);
@@ -167,7 +169,8 @@ TEST(GeostaticTest, ASettledStackOfLayersKeepsTheK0OfEach) {
 Scene sand_bin(double cohesion, double k0) {
   Scene scene;
   scene.spacing = 0.125;
-  scene.materials = {{"sand", "drucker_prager", 1800.0, {20e6, 0.3, cohesion, 0.5236, 0, 0}, k0}};
+  scene.materials = {
+      {"sand", DruckerPrager{20e6, 0.3, cohesion, 0.5236, 0, Cone::plane_strain}, 1800.0, k0}};
   scene.bodies = {box("sand", {0, 0, 0}, {1, 2, 0})};
   scene.walls = bin(1, 3, WallKind::free_slip);
   scene.initial_stress = InitialStress::geostatic;

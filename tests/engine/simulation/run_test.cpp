@@ -154,7 +154,7 @@ TEST(UnusedTest, WhatASceneDoesNotUseIsNotStored) {
 
 TEST(ExtremeTest, ThePapersLiteralStiffnessSinksTheSlope) {
   Scene scene = small_slope("modern", 30.0, 0.1, 1.0);
-  scene.materials[0].parameters[0] = 100e3;  // Table 1 prints kPa
+  scene.materials[0].model.set("youngs_modulus", 100e3);  // Table 1 prints kPa
   scene.stages[0].damping = 1.0;
   scene.initial_stress = InitialStress::zero;  // else the weight would be carried from the start
   Simulation simulation(scene, {2, {}});

@@ -12,7 +12,9 @@ namespace {
 
 constexpr double dx = 0.1;
 
-Material sand() { return {"sand", "drucker_prager", 1600.0, {1e6, 0.3, 0.0, 0.5, 0.0, 0.0}}; }
+Material sand() {
+  return {"sand", DruckerPrager{1e6, 0.3, 0.0, 0.5, 0.0, Cone::plane_strain}, 1600.0};
+}
 
 /// Sand in a smooth box 1 m wide; the base has a hole of `spacings` in its middle.
 Scene leaking_box(double spacings) {

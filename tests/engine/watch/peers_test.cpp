@@ -77,8 +77,9 @@ TEST(PeersTest, ARoughBaseFeedsNoWaves) {  // once grew from round-off to 6 cm/s
 TEST(PeersTest, WithoutFrictionNothingIsNaN) {  // Kratos, issue 14608
   for (const double cohesion : {0.0, 10e3}) {
     Scene scene = small_slope("modern", 0.1, 1.0, 3.0);
-    scene.materials[0].parameters[2] = cohesion;
-    scene.materials[0].parameters[3] = scene.materials[0].parameters[4] = 0.0;
+    scene.materials[0].model.set("cohesion", cohesion);
+    scene.materials[0].model.set("friction_angle", 0.0);
+    scene.materials[0].model.set("dilation_angle", 0.0);
     Simulation simulation(scene, {1, {}});
     while (!simulation.finished()) simulation.step();
     for (const FieldInfo& info : simulation.fields()) {
@@ -99,7 +100,8 @@ TEST(PeersTest, WithoutFrictionNothingIsNaN) {  // Kratos, issue 14608
 TEST(PeersTest, NoGrainLeavesThroughWalls) {  // cb-geo/mpm, issue 80
   for (const char* name : {"paper", "modern"}) {
     for (const WallKind kind : {WallKind::no_slip, WallKind::free_slip}) {
-      Scene scene = bed(name, {"sand", "drucker_prager", 1600.0, {5e6, 0.3, 0.0, 0.5, 0.0, 0.0}});
+      Scene scene =
+          bed(name, {"sand", DruckerPrager{5e6, 0.3, 0.0, 0.5, 0.0, Cone::plane_strain}, 1600.0});
       scene.walls = {
           wall_of("box", kind, {facet_2d(0, 0, 3, 0), facet_2d(3, 0, 3, 6), facet_2d(0, 6, 0, 0)})};
       scene.initial_stress = InitialStress::zero;
@@ -121,7 +123,7 @@ TEST(PeersTest, NoGrainLeavesThroughWalls) {  // cb-geo/mpm, issue 80
 
 TEST(PeersTest, DilationIsReported) {
   Scene scene = small_slope("modern", 0.1, 2.0, 2.5);
-  scene.materials[0].parameters[4] = 0.17;
+  scene.materials[0].model.set("dilation_angle", 0.17);
   Simulation simulation(scene, {1, {}});
   while (!simulation.finished()) simulation.step();
   const auto measures = basic_measures(simulation);

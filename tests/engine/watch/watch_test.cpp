@@ -121,7 +121,7 @@ TEST(WatchTest, ARealBlowUpIsCaughtWithin100Steps) {
 TEST(WatchTest, GrainsThatPassAFaceAreNamed) {
   // Smooth wall without stiffness behind it: the block is thrown at 0.8 of its own sound speed.
   Scene scene = elastic_column("modern", 1.0, 0.1);
-  scene.materials[0].parameters[0] = 1e4;
+  scene.materials[0].model.set("youngs_modulus", 1e4);
   scene.stages[0].damping = 0.0;
   State state = make_state(scene, {1, {}});
   for (const Phase& phase : phases_of(state.scene.numerics.integrator).stage_start)
@@ -150,7 +150,7 @@ TEST(WatchTest, GrainsThatPassAFaceAreNamed) {
 
 TEST(WatchTest, ALongFallIsNoInstability) {
   Scene scene = elastic_column("modern", 1.0, 0.25);
-  scene.materials[0].parameters[0] = 1e4;  // c_p = 2.6 m/s
+  scene.materials[0].model.set("youngs_modulus", 1e4);  // c_p = 2.6 m/s
   scene.walls.clear();
   scene.stages = {stage_for("fall", 10.0)};
   Simulation simulation(scene, {1, {}});
@@ -233,7 +233,7 @@ TEST(HandledTest, AGapBetweenWallsIsNamedAndSoilFallsThrough) {
   EXPECT_FALSE(warns(scene, "gap"));
   scene.walls[0].facets[0] = facet_2d(0, 0, 0.8, 0);
   EXPECT_TRUE(warns(scene, "wall 'box' ends at (0.8, 0), 0.2 m from wall 'box'"));
-  scene.materials = {{"sand", "drucker_prager", 1600.0, {1e6, 0.3, 0.0, 0.5, 0.0, 0.0}}};
+  scene.materials = {{"sand", DruckerPrager{1e6, 0.3, 0.0, 0.5, 0.0, Cone::plane_strain}, 1600.0}};
   scene.stages = {stage_for("leak", 1.0)};
   Simulation simulation(scene, {1, {}});
   while (!simulation.finished()) simulation.step();

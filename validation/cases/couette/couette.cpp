@@ -24,7 +24,8 @@ struct ShearedLayer {
     const Material& soil = scene.materials.front();
     height = std::get<Box>(scene.bodies.front().shape).maximum[1];
     speed = scene.walls[1].velocity[0];
-    shear_modulus = soil.parameters[0] / (2.0 * (1.0 + soil.parameters[1]));
+    shear_modulus = soil.model.parameter("youngs_modulus") /
+                    (2.0 * (1.0 + soil.model.parameter("poisson_ratio")));
     damping = scene.stages.front().damping.value();
     wave_speed = std::sqrt(shear_modulus / soil.density);
   }

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "engine/cli/progress.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 #include "validation/cases/cuboid_3d/cuboid_measures.hpp"
 #include "validation/paper/nearly_at_rest.hpp"
@@ -16,8 +15,6 @@
 namespace scarp::validation {
 namespace {
 
-using kernels::Cone;
-
 constexpr double fill_height = 0.144;  // [m]
 
 StudyRun collapse(const CaseRun& run, double spacing, Cone cone) {
@@ -25,8 +22,7 @@ StudyRun collapse(const CaseRun& run, double spacing, Cone cone) {
   study.scene = run.scene_at(spacing, run.options().preset);
   snap_to_lattice(study.scene);
   study.scene.file.clear();  // it is no longer what the file says
-  study.scene.materials.front().parameters[kernels::DruckerPrager::cone] =
-      static_cast<double>(cone);
+  study.scene.materials.front().model.set("cone", static_cast<double>(cone));
   const char* name = cone == Cone::outer ? "outer" : "plane strain";
   study.name = fmt::format("{} cone, dx {:.3g} mm", name, 1e3 * spacing);
   study.folder =

@@ -61,7 +61,7 @@ struct CentrifugalStress {
   explicit CentrifugalStress(const Scene& scene) {
     const Material& soil = scene.materials.front();
     radius = std::get<Cylinder>(scene.bodies.front().shape).radius;
-    poisson = soil.parameters[1];
+    poisson = soil.model.parameter("poisson_ratio");
     factor = soil.density * angular_velocity * angular_velocity / (8.0 * (1.0 - poisson));
   }
   double centre() const { return factor * (3.0 - 2.0 * poisson) * radius * radius; }

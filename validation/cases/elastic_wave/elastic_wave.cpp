@@ -23,7 +23,8 @@ struct StandingWave {
 
   explicit StandingWave(const Scene& scene) {
     const Material& soil = scene.materials.front();
-    const double youngs = soil.parameters[0], poisson = soil.parameters[1];
+    const double youngs = soil.model.parameter("youngs_modulus"),
+                 poisson = soil.model.parameter("poisson_ratio");
     // K + 4/3 G in terms of E and nu.
     const double modulus = youngs * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
     speed = std::sqrt(modulus / soil.density);

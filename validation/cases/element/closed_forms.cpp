@@ -12,9 +12,9 @@ constexpr double root3 = std::numbers::sqrt3;
 }
 
 PlasticSoil::PlasticSoil(const ElementResult& r)
-    : alpha_phi(r.alpha_phi),
-      k_c(r.k_c),
-      alpha_psi(r.alpha_psi),
+    : alpha_phi(r.constants.at("alpha_phi")),
+      k_c(r.constants.at("k_c")),
+      alpha_psi(r.constants.at("alpha_psi")),
       bulk_modulus(r.bulk_modulus),
       shear_modulus(r.shear_modulus) {}
 

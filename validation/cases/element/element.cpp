@@ -5,7 +5,6 @@
 
 #include "engine/element/element_path.hpp"
 #include "engine/output/text_file.hpp"
-#include "kernels/constitutive/list.hpp"
 #include "validation/case_list.hpp"
 #include "validation/cases/element/element_parts.hpp"
 
@@ -24,8 +23,8 @@ std::size_t material_of(const Scene& scene, std::string_view name) {
 
 Scene with_cone(Scene scene, std::size_t cone) {
   for (Material& material : scene.materials) {
-    if (material.model != kernels::DruckerPrager::name) continue;
-    material.parameters[kernels::DruckerPrager::cone] = static_cast<double>(cone);
+    if (!material.model.has("cone")) continue;
+    material.model.set("cone", static_cast<double>(cone));
   }
   return scene;
 }
@@ -63,7 +62,7 @@ void draw_stress_paths(CaseRun& run) {
       table.end_row();
     }
     if (path.name == paths.front().name) {
-      line << result.alpha_phi << result.k_c;
+      line << result.constants.at("alpha_phi") << result.constants.at("k_c");
       line.end_row();
     }
   }

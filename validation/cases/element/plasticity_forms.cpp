@@ -95,9 +95,10 @@ class Comparison {
   PlasticSoil reduced() const {
     const MaterialPoint cut(scene_, soil_, 3, run_.options().run, reduction);
     PlasticSoil soil = constants_;
-    soil.alpha_phi = cut.constants().alpha_phi;
-    soil.k_c = cut.constants().k_c;
-    soil.alpha_psi = cut.constants().alpha_psi;
+    const auto constants = cut.shown();
+    soil.alpha_phi = constants.at("alpha_phi");
+    soil.k_c = constants.at("k_c");
+    soil.alpha_psi = constants.at("alpha_psi");
     return soil;
   }
 

@@ -117,8 +117,9 @@ double elastic_shear_error(Scene scene, StressRotation kind, int steps, const Ru
 /// Krieg & Krieg (1977): on the cone, strain at right angles to the deviator turns it towards
 /// itself, tan(angle/2) = tan(angle_0/2) exp(-2 G |e| / |s|); here by 2 G |e| = |s|.
 double turning_flow_error(const MaterialPoint& point, int steps) {
-  const auto& c = point.constants();
-  const double j = c.k_c + 3.0 * c.alpha_phi * B, half = 0.5 * j / c.shear_modulus;
+  const auto cone = point.shown();
+  const double j = cone.at("k_c") + 3.0 * cone.at("alpha_phi") * B,
+               half = 0.5 * j / point.moduli().shear_modulus;
   const PointState state =
       advanced(point, {-B + j, -B - j, -B, 0, 0, 0}, {0, half, 0, half, 0, 0, 0, 0, 0}, steps);
   const double angle = std::atan2(state.stress[0] + B, state.stress[3]);
@@ -151,7 +152,7 @@ std::vector<Series> all_series(const Scene& scene, const RunOptions& options) {
 void lag_in_shear(CaseRun& run, const Scene& scene) {
   const MaterialPoint point =
       point_of(scene, StressRotation::hughes_winget, "elastic", run.options().run);
-  const double g = point.constants().shear_modulus;
+  const double g = point.moduli().shear_modulus;
   const int steps = steps_of(run, 400);
   const PointState state =
       advanced(point, {-B, -B, -B, 0, 0, 0}, {0, 1.0, 0, 0, 0, 0, 0, 0, 0}, steps);

@@ -8,14 +8,11 @@
 #include <optional>
 
 #include "engine/output/text_file.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 #include "validation/convergence.hpp"
 
 namespace scarp::validation {
 namespace {
-
-using kernels::DruckerPrager;
 
 constexpr double width = 2.0;  ///< B of the whole footing [m]
 /// Settlement over B at which the pressure is judged: past five times the elastic settlement, small
@@ -34,9 +31,8 @@ double bearing_capacity_factor(double friction_angle) {
 /// 3.0 B from the middle, so that the soil is 4 B by 2 B instead of 2.5 B by 1.5 B.
 Scene footing_scene(Scene scene, double friction_degrees) {
   const double friction = friction_degrees * std::numbers::pi / 180.0;
-  auto& parameters = scene.materials.front().parameters;
-  parameters[DruckerPrager::friction_angle] = friction;
-  parameters[DruckerPrager::dilation_angle] = friction;
+  scene.materials.front().model.set("friction_angle", friction);
+  scene.materials.front().model.set("dilation_angle", friction);
   if (friction == 0.0) return scene;
   Box& soil = std::get<Box>(scene.bodies.front().shape);
   const double rise = 4.0 - soil.maximum[1];
@@ -76,9 +72,8 @@ struct Mean {
 /// Pressure under the footing as it sinks, also as a table.
 Outcome press(CaseRun& run, const std::string& name, const Scene& scene,
               std::optional<Simulation>& last) {
-  const auto& parameters = scene.materials.front().parameters;
-  const double capacity = parameters[DruckerPrager::cohesion] *
-                          bearing_capacity_factor(parameters[DruckerPrager::friction_angle]);
+  const kernels::CoulombStrength soil = *scene.materials.front().model.strength();
+  const double capacity = soil.cohesion * bearing_capacity_factor(soil.friction_angle);
   const double speed = std::fabs(scene.walls.back().velocity[1]);
   // The push rings with a period of about that length: a shorter window would see the ringing.
   Mean before{2.0 * judged_from - judged_to, judged_from}, level{judged_from, judged_to};

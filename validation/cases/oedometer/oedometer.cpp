@@ -24,8 +24,8 @@ struct Column {
 
   explicit Column(const Scene& scene) {
     const Material& soil = scene.materials.front();
-    const double youngs = soil.parameters[0];
-    poisson = soil.parameters[1];
+    const double youngs = soil.model.parameter("youngs_modulus");
+    poisson = soil.model.parameter("poisson_ratio");
     unit_weight = -soil.density * scene.gravity[1];
     height = std::get<Box>(scene.bodies.front().shape).maximum[1];
     modulus = youngs * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));

@@ -28,7 +28,8 @@ constexpr Symmetric uniform{-80e3, -120e3, -60e3, 30e3, 0.0, 0.0};
 
 /// C : e of the isotropic elastic soil.
 Symmetric elastic_rate(const Material& soil, const Symmetric& rate) {
-  const double youngs = soil.parameters[0], poisson = soil.parameters[1];
+  const double youngs = soil.model.parameter("youngs_modulus"),
+               poisson = soil.model.parameter("poisson_ratio");
   const double shear = youngs / (2.0 * (1.0 + poisson));
   const double lame = youngs * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
   Symmetric stress{};

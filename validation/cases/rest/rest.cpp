@@ -29,7 +29,7 @@ struct Layer {
     height = box.maximum[1];
     length = box.maximum[0] - box.minimum[0];
     depth = scene.dimension == 3 ? box.maximum[2] : 1.0;
-    k0 = soil.parameters[1] / (1.0 - soil.parameters[1]);
+    k0 = soil.model.parameter("poisson_ratio") / (1.0 - soil.model.parameter("poisson_ratio"));
   }
   double thrust() const { return 0.5 * unit_weight * height * height * depth; }  ///< for K = 1 [N]
   double weight() const { return unit_weight * height * length * depth; }
@@ -43,7 +43,8 @@ double passive_coefficient(const Material& soil) {
     const double t = std::tan(angle);
     return t / std::sqrt(9.0 + 12.0 * t * t);
   };
-  const double a = alpha(soil.parameters[3]), b = alpha(soil.parameters[4]);
+  const double a = alpha(soil.model.parameter("friction_angle")),
+               b = alpha(soil.model.parameter("dilation_angle"));
   const double w = std::sqrt(1.0 - 3.0 * b * b);
   return 1.0 + 6.0 * a * w / (1.0 - 3.0 * a * (w + b));
 }
@@ -137,7 +138,7 @@ enum class Pressure { active, passive };
 
 /// The wall moves until the soil yields; on a smooth base the whole layer does, and equally.
 Scene yielding(Scene scene, Pressure pressure, bool smooth_base, double dilation) {
-  scene.materials.front().parameters[4] = dilation;
+  scene.materials.front().model.set("dilation_angle", dilation);
   scene.stages.erase(scene.stages.begin() + 1);
   if (smooth_base) {
     scene.walls[base].kind = WallKind::free_slip;
@@ -176,7 +177,8 @@ double passive_coefficient_in_bands(double coaxial) {
 void judge_pressure(CaseRun& run, const std::string& preset, double spacing, Pressure pressure,
                     bool smooth_base, bool dilatant, std::optional<Simulation>& last) {
   Scene scene = run.scene_at(spacing, preset);
-  const double dilation = dilatant ? scene.materials.front().parameters[3] : 0.0;
+  const double dilation =
+      dilatant ? scene.materials.front().model.parameter("friction_angle") : 0.0;
   scene = yielding(std::move(scene), pressure, smooth_base, dilation);
   const double passive = passive_coefficient(scene.materials.front());
   const double weakest = dilatant ? passive : passive_coefficient_in_bands(passive);

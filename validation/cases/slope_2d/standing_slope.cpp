@@ -4,13 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 
 namespace scarp::validation {
 namespace {
-
-using kernels::DruckerPrager;
 
 constexpr double reduction = 1.2;     ///< 13 % below the limit: plastic zones, but no band
 constexpr double at_rest = 1e-4;      ///< [m/s]; moves 4e-6 m, 0.2 % of the answer, in the time 1/c
@@ -18,8 +15,8 @@ constexpr double column_height = 15;  ///< [m]
 
 /// pi c_p/(2H), as an `until = "rest"` stage that resets would take it [1/s].
 double critical_damping(const Material& soil) {
-  const double youngs = soil.parameters[DruckerPrager::youngs_modulus],
-               poisson = soil.parameters[DruckerPrager::poisson_ratio];
+  const double youngs = soil.model.parameter("youngs_modulus"),
+               poisson = soil.model.parameter("poisson_ratio");
   const double modulus = youngs * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
   return std::numbers::pi * std::sqrt(modulus / soil.density) / (2.0 * column_height);
 }

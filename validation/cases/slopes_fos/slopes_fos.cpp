@@ -9,14 +9,11 @@
 
 #include "engine/errors.hpp"
 #include "engine/fos/failure_run.hpp"
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 #include "validation/factor_of_safety.hpp"
 
 namespace scarp::validation {
 namespace {
-
-using kernels::DruckerPrager;
 
 struct PublishedSlope {
   const char* name;
@@ -100,8 +97,8 @@ void judge_early_stops(CaseRun& run, const std::string& name, const StrengthRedu
 
 /// With psi = phi the soil obeys the normality that Bishop's method and limit analysis rest on.
 void tell_associated(CaseRun& run, const std::string& name, Scene scene, double bishop) {
-  auto& p = scene.materials.front().parameters;
-  p[DruckerPrager::dilation_angle] = p[DruckerPrager::friction_angle];
+  SoilModel& soil = scene.materials.front().model;
+  soil.set("dilation_angle", soil.parameter("friction_angle"));
   StrengthReduction slope(settled_state(run, name + ", psi = phi", scene),
                           choose_criterion(scene, {}));
   const FactorOfSafety found = search(run, name + ", psi = phi", slope, bishop);

@@ -7,14 +7,11 @@
 #include <numbers>
 #include <optional>
 
-#include "kernels/constitutive/drucker_prager.hpp"
 #include "validation/case_list.hpp"
 #include "validation/convergence.hpp"
 
 namespace scarp::validation {
 namespace {
-
-using kernels::DruckerPrager;
 
 constexpr double height = 5.0;                          // [m]
 constexpr double failing_displacement = 0.01 * height;  // [m]
@@ -29,9 +26,9 @@ double critical_number(double friction_angle) {
 Scene cut_scene(Scene scene, double friction_angle, double number) {
   Material& clay = scene.materials.front();
   const double unit_weight = -clay.density * scene.gravity[1];
-  clay.parameters[DruckerPrager::cohesion] = unit_weight * height / number;
-  clay.parameters[DruckerPrager::friction_angle] = friction_angle;
-  clay.parameters[DruckerPrager::dilation_angle] = friction_angle;
+  clay.model.set("cohesion", unit_weight * height / number);
+  clay.model.set("friction_angle", friction_angle);
+  clay.model.set("dilation_angle", friction_angle);
   return scene;
 }
 

@@ -23,7 +23,6 @@ std::string models_of(const Scene& scene) {
 
 std::vector<UsedFeature> used_features(const State& state) {
   const Numerics& n = state.scene.numerics;
-  const ParticleBuffers& p = state.particles;
   const bool three = state.scene.dimension == 3;
   const auto bytes = [&](std::initializer_list<Field> fields) {
     int stored = 0;

@@ -30,7 +30,7 @@ struct Lanes {
 
   Lanes() = default;
   SCARP_INLINE Lanes(Native v) : value(v) {}
-  explicit SCARP_INLINE Lanes(double x) : value{x, x, x, x, x, x, x, x} {}
+  SCARP_INLINE Lanes(double x) : value{x, x, x, x, x, x, x, x} {}
   static SCARP_INLINE Lanes load_aligned(const double* from) {
     return *reinterpret_cast<const Aliasing*>(from);
   }

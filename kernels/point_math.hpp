@@ -40,6 +40,10 @@ SCARP_INLINE T choose(const Condition& condition, const T& yes, const T& no) {
   return VectorMath<T>::choose(condition, yes, no);
 }
 template <Vector T>
+SCARP_INLINE T choose(bool condition, const T& yes, const T& no) {
+  return condition ? yes : no;
+}
+template <Vector T>
 SCARP_INLINE T larger(const T& a, const T& b) {
   return VectorMath<T>::larger(a, b);
 }

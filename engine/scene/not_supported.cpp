@@ -65,14 +65,16 @@ constexpr Row rows[] = {
     {"material", "shear_modulus|bulk_modulus",
      "elasticity is given by E and nu. Try youngs_modulus = 9 K G / (3 K + G) and poisson_ratio = "
      "(3 K - 2 G) / (6 K + 2 G)."},
-    {"material",
-     "harden|soften|residual|peak|degrad|critical_state|void_ratio|ocr|preconsolidation",
-     "hardening, softening and critical states are not supported: strength is constant. Try peak "
-     "and "
-     "residual strength in two runs, or strength_reduction from stage to stage."},
+    {"material", "harden|peak|degrad|critical_state|void_ratio|ocr|preconsolidation",
+     "hardening and critical states are not supported. Try residual_cohesion, "
+     "residual_friction_angle and softening_slip for strength that falls."},
+    {"material", "soften|residual",
+     "strength falls by residual_cohesion, residual_friction_angle, softening and softening_slip, "
+     "in "
+     "models with a cohesion."},
     {"material", "tension|tensile",
-     "a tensile strength of its own is not supported: the cone ends at c / tan phi. Try a smaller "
-     "cohesion."},
+     "the cone of drucker_prager ends at c / tan phi. Try model = \"mohr_coulomb\", which has a "
+     "tensile_strength."},
     {"numerics", "plasticity|near_yield_limiter",
      "stress always returns to the yield surface in closed form; the paper's rate forms are shown "
      "in "
@@ -90,13 +92,11 @@ constexpr Row rows[] = {
      "a body has no rotation of its own. Try velocity_field = [\"-2*y\", \"2*x\"]."},
     {"body initial", "random|porosity|pack",
      "particles lie on a lattice, random packings are not supported. Try without it."},
-    {"model", "mohr|coulomb",
-     "Coulomb's own surface is not supported. Try model = \"drucker_prager\" with cone = "
-     "\"plane_strain\", which has the same strength in plane strain."},
     {"model",
      "cam|hardening|hoek|brown|mises|tresca|elastoplastic|rheology|bingham|hypoplastic|norsand",
-     "only drucker_prager and linear_elastic are supported. Try model = \"drucker_prager\", with "
-     "friction_angle = 0 for von Mises."},
+     "only drucker_prager, mohr_coulomb and linear_elastic are supported. Try friction_angle = 0, "
+     "with "
+     "model = \"drucker_prager\" for von Mises and model = \"mohr_coulomb\" for Tresca."},
     {"*", "include|import|mesh|stl|dxf",
      "a scene reads no other file. Try to write the points of outlines into [[body]] and "
      "[[wall]]."},

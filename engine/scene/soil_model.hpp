@@ -13,6 +13,8 @@ namespace scarp {
 using kernels::Cone;
 using kernels::DruckerPrager;
 using kernels::LinearElastic;
+using kernels::MohrCoulomb;
+using kernels::SofteningLaw;
 
 /// Made of a typed model, `DruckerPrager{.youngs_modulus = 10e6, ...}`, or of a name and numbers.
 class SoilModel {

@@ -4,6 +4,7 @@
 
 #include "kernels/constitutive/drucker_prager.hpp"
 #include "kernels/constitutive/linear_elastic.hpp"
+#include "kernels/constitutive/mohr_coulomb.hpp"
 
 namespace scarp::kernels {
 
@@ -14,6 +15,6 @@ struct ModelList {
   static constexpr bool holds = (std::is_same_v<Model, Other> || ...);
 };
 
-using Models = ModelList<LinearElastic, DruckerPrager>;
+using Models = ModelList<LinearElastic, DruckerPrager, MohrCoulomb>;
 
 }  // namespace scarp::kernels

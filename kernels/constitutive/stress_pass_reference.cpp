@@ -5,83 +5,15 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "kernels/constitutive/model_info.hpp"
+#include "kernels/constitutive/matrix_reference.hpp"
 
 namespace scarp::kernels {
 namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-Matrix matrix_of(const ReferenceMatrix& a) {
-  Matrix m;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) m(r, c) = a[r][c];
-  }
-  return m;
-}
-
-ReferenceMatrix array_of(const Matrix& m) {
-  ReferenceMatrix a;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) a[r][c] = m(r, c);
-  }
-  return a;
-}
-
 double contract(const Matrix& a, const Matrix& b) { return a.cwiseProduct(b).sum(); }
 Matrix deviator(const Matrix& a) { return a - a.trace() / 3.0 * Matrix::Identity(); }
-
-/// Hooke's law in Lame's form and its inverse in Young's. Equation: E4, E14.
-Matrix hooke(const ReferenceModel& m, const Matrix& strain) {
-  const double lame = m.bulk_modulus - 2.0 / 3.0 * m.shear_modulus;
-  return lame * strain.trace() * Matrix::Identity() + 2.0 * m.shear_modulus * strain;
-}
-Matrix strain_of(const ReferenceModel& m, const Matrix& stress) {
-  const double k = m.bulk_modulus, g = m.shear_modulus;
-  const double young = 9.0 * k * g / (3.0 * k + g),
-               poisson = (3.0 * k - 2.0 * g) / (6.0 * k + 2.0 * g);
-  return ((1.0 + poisson) * stress - poisson * stress.trace() * Matrix::Identity()) / young;
-}
-double equivalent(const Matrix& strain) {
-  const Matrix e = deviator(strain);
-  return std::sqrt(2.0 / 3.0 * contract(e, e));
-}
-
-double root_j2(const Matrix& stress) {
-  const Matrix s = deviator(stress);
-  return std::sqrt(0.5 * contract(s, s));
-}
-
-/// df/dsigma or dg/dsigma of a cone: s/(2 sqrt(J2)) + alpha I.
-Matrix cone_normal(const Matrix& stress, double alpha) {
-  const double j = root_j2(stress);
-  Matrix n = alpha * Matrix::Identity();
-  if (j > 0.0) n += deviator(stress) / (2.0 * j);
-  return n;
-}
-
-/// Flow along C : dg/dsigma until f = 0. On a cone neither gradient changes on the way, so one step
-/// of Newton is exact; if it turned the deviator round, the way would cross the axis, so the apex
-/// is the answer.
-Matrix flow_back_to_cone(const ReferenceModel& m, const ConeConstants& c, const Matrix& trial) {
-  const double f = root_j2(trial) + c.alpha_phi * trial.trace() - c.k_c;
-  if (!(f > 0.0)) return trial;
-  const Matrix direction = hooke(m, cone_normal(trial, c.alpha_psi));
-  const double multiplier = f / contract(cone_normal(trial, c.alpha_phi), direction);
-  const Matrix stress = trial - multiplier * direction;
-  if (contract(deviator(stress), deviator(trial)) >= 0.0 && root_j2(trial) > 0.0) return stress;
-  if (c.alpha_phi == 0.0) return trial.trace() / 3.0 * Matrix::Identity();
-  return c.k_c / (3.0 * c.alpha_phi) * Matrix::Identity();
-}
-
-ReferenceMatrix drucker_prager(const ModelConstants& all, const ReferenceMatrix& trial,
-                               const ReferencePoint&, std::array<double, 4>& change) {
-  const auto c = unpacked<DruckerPrager::Constants>(all);
-  const ReferenceModel moduli{c.elastic.bulk_modulus, c.elastic.shear_modulus, nullptr};
-  const Matrix from = matrix_of(trial), stress = flow_back_to_cone(moduli, c.cone, from);
-  change[0] = equivalent(strain_of(moduli, from - stress));
-  return array_of(stress);
-}
 
 /// Velocity gradient over the moment, where that can be inverted. Equation: K1.
 Matrix used_gradient(const ReferencePointRates& rates, const StressPassConstants& c,
@@ -153,12 +85,6 @@ bool advance_material(const ReferencePointRates& rates, const StressPassConstant
 }
 
 }  // namespace
-
-ReferenceModel reference_model(std::string_view name, const ModelConstants& constants) {
-  const ElasticModuli moduli = model_named(name)->moduli(constants);
-  const ReferenceReturn come_back = name == DruckerPrager::name ? &drucker_prager : nullptr;
-  return {moduli.bulk_modulus, moduli.shear_modulus, come_back};
-}
 
 bool advance_verlet_reference(const ReferencePointRates& rates, const StressPassConstants& c,
                               const VerletConstants& v, int dimension, const ReferenceModel& model,

@@ -107,12 +107,45 @@ struct Material {
 DruckerPrager cone_soil(double cohesion, double friction, double dilation) {
   return {1e8, 0.3, cohesion, friction * degree, dilation * degree};
 }
+MohrCoulomb coulomb_soil(double cohesion, double friction, double dilation) {
+  return {1e8, 0.3, cohesion, friction * degree, dilation * degree};
+}
+/// Strains of a step here are about 1e-3: half the strength is gone after a few.
+template <class Model>
+Model softened(Model soil, SofteningLaw law, double dilation_limit = 1.0) {
+  soil.residual_cohesion = 0.2 * soil.cohesion;
+  soil.residual_friction_angle = 0.5 * soil.friction_angle;
+  soil.softening = law;
+  soil.softening_slip = 0.005;
+  soil.dilation_limit = dilation_limit;
+  return soil;
+}
+MohrCoulomb cut_off(MohrCoulomb soil, double tensile_strength) {
+  soil.tensile_strength = tensile_strength;
+  return soil;
+}
 const std::vector<Material>& materials() {
+  using enum SofteningLaw;
   static const std::vector<Material> all{
-      {"elastic", LinearElastic{1e8, 0.3}}, {"psi_0", cone_soil(1e4, 20, 0)},
-      {"psi_9", cone_soil(1e4, 20, 9)},     {"associated", cone_soil(5e3, 33, 33)},
-      {"phi_0", cone_soil(2e4, 0, 0)},      {"c_0", cone_soil(0, 33, 0)},
-      {"no_strength", cone_soil(0, 0, 0)}};
+      {"elastic", LinearElastic{1e8, 0.3}},
+      {"psi_0", cone_soil(1e4, 20, 0)},
+      {"psi_9", cone_soil(1e4, 20, 9)},
+      {"associated", cone_soil(5e3, 33, 33)},
+      {"phi_0", cone_soil(2e4, 0, 0)},
+      {"c_0", cone_soil(0, 33, 0)},
+      {"no_strength", cone_soil(0, 0, 0)},
+      {"softening", softened(cone_soil(1e4, 20, 9), exponential)},
+      {"softening_linear", softened(cone_soil(1e4, 20, 9), linear, 0.0)},
+      {"coulomb_psi_0", coulomb_soil(1e4, 20, 0)},
+      {"coulomb_psi_9", coulomb_soil(1e4, 20, 9)},
+      {"coulomb_associated", coulomb_soil(5e3, 33, 33)},
+      {"coulomb_phi_0", coulomb_soil(2e4, 0, 0)},
+      {"coulomb_c_0", coulomb_soil(0, 33, 0)},
+      {"coulomb_cut_off", cut_off(coulomb_soil(1e4, 20, 9), 5e3)},
+      {"coulomb_phi_0_cut_off", cut_off(coulomb_soil(2e4, 0, 0), 5e3)},
+      {"coulomb_no_tension", cut_off(coulomb_soil(1e4, 30, 0), 0.0)},
+      {"coulomb_softening", softened(coulomb_soil(1e4, 20, 9), exponential)},
+      {"coulomb_softening_linear", softened(coulomb_soil(1e4, 20, 9), linear, 0.0)}};
   return all;
 }
 

@@ -79,7 +79,7 @@ void add_with_and_without() {
       {"gradient_correction", [](BlockOptions& o) { o.numerics.gradient_correction = true; }},
       {"elastic",
        [](BlockOptions& o) {
-         o.elastic = true;  // may come into tension, so without the artificial stress
+         o.soil = rock();  // may come into tension, so without the artificial stress
          o.numerics.artificial_stress = 0.0;
        }},
       {"walls", [](BlockOptions& o) { o.walls = true; }},
@@ -96,7 +96,7 @@ void add_with_and_without() {
       {"no_viscosity",
        [](BlockOptions& o) { o.numerics.viscosity_alpha = o.numerics.viscosity_beta = 0.0; }},
       {"verlet", [](BlockOptions& o) { o.numerics.integrator = Integrator::verlet; }},
-      {"elastic", [](BlockOptions& o) { o.elastic = true; }},
+      {"elastic", [](BlockOptions& o) { o.soil = rock(); }},
       {"walls", [](BlockOptions& o) { o.walls = true; }},
       {"energy", [](BlockOptions& o) { o.energy = true; }}};
   for (const std::string name : {"paper", "modern"}) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The per-particle pass on the free block: elastic and plastic, gradient
+/// The per-particle pass on the free block: every model, inside its surface and on it, gradient
 /// correction, diffusion, by dimension, instruction set and size.
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace {
 struct Law {
   std::string name;
   Numerics numerics;
-  bool elastic = false;
+  std::optional<SoilModel> soil = {};
+  bool yielding = false;
 };
 
 std::vector<Law> laws() {
@@ -29,8 +31,21 @@ std::vector<Law> laws() {
   corrected.gradient_correction = true;
   Numerics modern = preset("modern");
   modern.integrator = Integrator::verlet;
-  return {{"elastic", plain, true},
+  const MohrCoulomb coulomb{100e6, 0.3, 0.0, 0.35, 0.15};
+  MohrCoulomb falling = coulomb;
+  falling.residual_friction_angle = 0.2;
+  falling.softening_slip = 1.0;
+  const DruckerPrager cone{100e6, 0.3, 0.0, 0.35, 0.15};
+  DruckerPrager falling_cone = cone;
+  falling_cone.residual_friction_angle = 0.2;
+  falling_cone.softening_slip = 1.0;
+  return {{"elastic", plain, rock()},
           {"return_mapping", plain},
+          {"mohr_coulomb", plain, coulomb},
+          {"return_mapping_yielding", plain, cone, true},
+          {"mohr_coulomb_yielding", plain, coulomb, true},
+          {"return_mapping_softening", plain, falling_cone, true},
+          {"mohr_coulomb_softening", plain, falling, true},
           {"gradient_correction", corrected},
           {"modern", modern}};
 }
@@ -38,7 +53,8 @@ std::vector<Law> laws() {
 void run(benchmark::State& bench, const Law& law, const BlockOptions& options) {
   BlockOptions own = options;
   own.numerics = law.numerics;
-  own.elastic = law.elastic;
+  own.soil = law.soil;
+  own.yielding = law.yielding;
   State state = block_state(own);
   sweep_all(state);
   state.clock.time_step = 1e-9;  // the state stays what it is

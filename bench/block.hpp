@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "engine/setup.hpp"
@@ -18,10 +19,11 @@ struct BlockOptions {
   Numerics numerics = preset("paper");
   int threads = 1;
   std::string isa;
-  bool elastic = false;  ///< no plasticity
-  bool tension = false;  ///< in uniform tension instead of compression
-  bool walls = false;    ///< no-slip base, free-slip sides
-  bool energy = false;   ///< the energy balance
+  std::optional<SoilModel> soil = {};  ///< in place of Drucker-Prager
+  bool yielding = false;               ///< under a stress on the yield surface instead of within it
+  bool tension = false;                ///< in uniform tension instead of compression
+  bool walls = false;                  ///< no-slip base, free-slip sides
+  bool energy = false;                 ///< the energy balance
 };
 
 /// Base and sides of a box; the soil is inside.
@@ -44,6 +46,9 @@ inline std::vector<Wall> box_walls(int dimension, double side) {
   return walls;
 }
 
+/// Without plasticity.
+inline SoilModel rock() { return LinearElastic{100e6, 0.3}; }
+
 inline Scene block_scene(const BlockOptions& options) {
   Scene scene;
   scene.title = "free block";
@@ -58,13 +63,14 @@ inline Scene block_scene(const BlockOptions& options) {
                       DruckerPrager{100e6, 0.3, cohesion, 0.35, 0.15,
                                     options.dimension == 2 ? Cone::plane_strain : Cone::outer},
                       2000.0}};
-  if (options.elastic) scene.materials = {{"rock", LinearElastic{100e6, 0.3}, 2000.0}};
+  if (options.soil) scene.materials[0].model = *options.soil;
   const double side =
       std::round(std::pow(static_cast<double>(options.particles), 1.0 / options.dimension));
   scene.bodies = {{.shape = Box{{0, 0, 0}, {side, side, options.dimension == 3 ? side : 0.0}}}};
   const double pressure = options.tension ? -1e3 : 100e3;
   scene.initial_stress = InitialStress::uniform;
-  scene.uniform_stress = {-pressure, -pressure, -pressure, 0.0, 0.0, 0.0};
+  const double across = options.yielding ? 0.2 * pressure : pressure;
+  scene.uniform_stress = {-across, -pressure, -across, 0.0, 0.0, 0.0};
   if (options.walls) scene.walls = box_walls(options.dimension, side);
   scene.output.energy = options.energy;
   scene.stages.resize(1);

@@ -39,9 +39,12 @@ set(scarp_public_headers
   kernels/constitutive/list.hpp
   kernels/always_inline.hpp
   kernels/constitutive/model.hpp
+  kernels/constitutive/mohr_coulomb.hpp
   kernels/constitutive/model_info.hpp
   kernels/constitutive/model_passes.hpp
   kernels/constitutive/parameter_spec.hpp
+  kernels/constitutive/principal.hpp
+  kernels/constitutive/softening.hpp
   kernels/constitutive/stress_pass.hpp
   kernels/constitutive/stress_rotation.hpp
   kernels/lanes.hpp

@@ -238,5 +238,50 @@ TEST(ElementPathTest, ReadsNothingThatMakesNoSense) {
   EXPECT_THROW(MaterialPoint(scene, 0, 4), Error);
 }
 
+TEST(ElementPathTest, MohrCoulombFailsAtCoulombsStrengthOnEveryPath) {
+  const double c = 10e3, phi = 30.0 * degree, sine = std::sin(phi), cosine = std::cos(phi);
+  const double passive = (B * (1 + sine) + 2 * c * cosine) / (1 - sine),
+               active = (B * (1 - sine) - 2 * c * cosine) / (1 + sine);
+  for (const std::string preset_name : {"modern", "paper"}) {
+    for (const double psi : {0.0, 12.0, 30.0}) {
+      const Material soil{"soil", MohrCoulomb{100e6, 0.3, c, phi, psi * degree}, 2000.0};
+      for (const int dimension : {2, 3}) {
+        const Scene scene = scene_of(soil, preset_name, dimension);
+        const ElementSample pressed = driven(scene, ElementPath::triaxial, 0.05).samples.back(),
+                            pulled = driven(scene, ElementPath::triaxial, -0.05).samples.back(),
+                            plane = driven(scene, ElementPath::plane_strain, 0.05).samples.back();
+        EXPECT_NEAR(-pressed.stress[1], passive, 1e-6 * passive) << psi;
+        EXPECT_NEAR(-pulled.stress[1], active, 1e-6 * passive) << psi;
+        EXPECT_NEAR(-plane.stress[1], passive, 1e-6 * passive) << psi;
+        EXPECT_NEAR(pressed.yield_function, 0.0, 1e-6 * passive);
+        // Flow of both planes at the edge: volume over axial strain -2 sin psi/(1 - sin psi).
+        const double sp = std::sin(psi * degree), axial = 0.05 - (passive - B) / 100e6;
+        EXPECT_NEAR(pressed.plastic_volumetric_strain, 2 * sp / (1 - sp) * axial, 1e-5);
+      }
+    }
+  }
+}
+
+TEST(ElementPathTest, SofteningEndsAtTheResidualStrengthOfBothModels) {
+  const double residual = 20e3;  // q = 2 c without friction
+  const auto softened = [](auto clay) {
+    clay.residual_cohesion = 10e3;
+    clay.softening_slip = 0.01;
+    return clay;
+  };
+  const DruckerPrager cone{100e6, 0.3, 30e3, 0.0, 0.0, Cone::plane_strain};
+  const MohrCoulomb coulomb{100e6, 0.3, 30e3, 0.0};
+  for (const SoilModel& model : {SoilModel(softened(cone)), SoilModel(softened(coulomb))}) {
+    const ElementResult result =
+        driven(scene_of({"clay", model, 2000.0}), ElementPath::plane_strain, 0.1, 2000);
+    double peak = 0.0;
+    for (const ElementSample& sample : result.samples) peak = std::fmax(peak, deviator(sample));
+    // Steps of 5e-5 overshoot the peak by the strength that one of them costs.
+    EXPECT_NEAR(peak, 60e3, 0.02 * 60e3);
+    // Shear strain 0.2 in a band of 2.5 spacings of 0.25 m: twelve times the softening slip.
+    EXPECT_NEAR(deviator(result.samples.back()), residual, 1e-3 * residual);
+  }
+}
+
 }  // namespace
 }  // namespace scarp::test

@@ -282,9 +282,8 @@ State make_state(Scene scene, const RunOptions& options) {
   state.boundary.hold_force.assign(state.scene.walls.size(), Vec3{});
   fill_particles(state, soil);
   for (const ParticleGroup& group : state.particles.groups()) {
-    state.limits.sound_speed = std::max(state.limits.sound_speed,
-                                        std::sqrt(state.scaling.wave_modulus[group.material] /
-                                                  state.scene.materials[group.material].density));
+    state.limits.sound_speed =
+        std::max(state.limits.sound_speed, state.scene.materials[group.material].sound_speed());
   }
   state.limits.sound_speed = state.reduction->maximum_of(state.limits.sound_speed);
   stop_if_asked(state.options.stop);

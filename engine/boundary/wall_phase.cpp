@@ -16,8 +16,8 @@ WallMaterial wall_material(const State& state) {
   const auto& groups = state.particles.groups();
   const auto most = std::max_element(
       groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
-  const double density = state.scene.materials[most->material].density;
-  return {density, std::sqrt(state.scaling.wave_modulus[most->material] / density),
+  const Material& material = state.scene.materials[most->material];
+  return {material.density, material.sound_speed(),
           state.particle_volume * state.scaling.gradient_factor,
           state.scaling.inverse_smoothing_length};
 }

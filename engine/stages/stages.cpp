@@ -60,9 +60,7 @@ Stretch tallest_stretch(const State& state) {
     if (!ends) continue;
     double slowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = first; i <= k; ++i) {
-      const std::size_t m = all[i].second;
-      slowest = std::min(
-          slowest, std::sqrt(state.scaling.wave_modulus[m] / state.scene.materials[m].density));
+      slowest = std::min(slowest, state.scene.materials[all[i].second].sound_speed());
     }
     const double height = all[k].first - all[first].first + state.scene.spacing;
     tallest.height = std::max(tallest.height, height);

@@ -22,6 +22,9 @@ set(scarp_public_headers
   engine/output/run_writer.hpp
   engine/output/text_file.hpp
   engine/particles/probe_sample.hpp
+  engine/run/checkpoint_writer.hpp
+  engine/run/recovery.hpp
+  engine/run/run.hpp
   engine/run_options.hpp
   engine/scarp.hpp
   engine/scene/facets.hpp
@@ -33,7 +36,7 @@ set(scarp_public_headers
   engine/step/phase_view.hpp
   engine/step/reduction.hpp
   engine/watch/lost_soil.hpp
-  engine/watch/stability_margin.hpp
+  engine/check/stability_margin.hpp
   kernels/constitutive/drucker_prager.hpp
   kernels/constitutive/linear_elastic.hpp
   kernels/constitutive/list.hpp

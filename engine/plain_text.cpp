@@ -69,4 +69,19 @@ bool has_control(std::string_view raw) {
   return false;
 }
 
+std::string readable_duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds > 3.6e8) return "unknown";
+  const auto s = static_cast<long>(std::lround(std::fmax(seconds, 0.0)));
+  if (s >= 86400) return fmt::format("{} d {:02} h", s / 86400, s % 86400 / 3600);
+  if (s >= 3600) return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
+  if (s >= 60) return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return seconds < 10.0 ? fmt::format("{:.1f} s", std::fmax(seconds, 0.0)) : fmt::format("{} s", s);
+}
+
+std::string readable_bytes(double bytes) {
+  const double mebibytes = bytes / (1024.0 * 1024.0);
+  return mebibytes < 1024.0 ? fmt::format("{:.3g} MiB", mebibytes)
+                            : fmt::format("{:.3g} GiB", mebibytes / 1024.0);
+}
+
 }  // namespace scarp

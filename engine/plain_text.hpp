@@ -14,4 +14,10 @@ std::string plain_text(std::string_view raw);
 /// Whether `plain_text` would change something, or it has a line end.
 bool has_control(std::string_view raw);
 
+/// "1 h 05 min", "3 min 20 s", "12 s".
+std::string readable_duration(double seconds);
+
+/// "1.25 GiB", "310 MiB".
+std::string readable_bytes(double bytes);
+
 }  // namespace scarp

@@ -12,10 +12,11 @@
 #include <ctime>
 #include <system_error>
 
+#include "engine/check/stability_margin.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
+#include "engine/run/run.hpp"
 #include "engine/scene/scene_reader.hpp"
-#include "engine/watch/stability_margin.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -118,11 +119,11 @@ Simulation CaseRun::solve(const std::string& name, const Scene& scene,
 
 void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWriter* writer,
                         const std::function<void(const Simulation&)>& each_step,
-                        const std::function<void(const Simulation&)>& on_stop) {
+                        CheckpointWriter* checkpoints) {
   if (!options_.quiet) {
     fmt::print(stderr, "{}: {}, {} particles\n", result_.case_name, name, simulation.soil_count());
   }
-  cli::Progress progress(cli::total_duration(simulation.scene()), options_.quiet);
+  cli::Progress progress(total_duration(simulation.scene()), options_.quiet);
   const double start = now_s(), cpu_start = cpu_now_s();
   const StepReport before = simulation.last_step();
   const auto book = [&] {
@@ -135,22 +136,27 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
     progress.end();
   };
   const double sound = sound_speed(simulation.scene());
+  const auto after_step = [&](const Simulation& now) {
+    if (options_.stop_when_supersonic) demand_subsonic(now.last_step(), sound);
+    if (each_step) each_step(now);
+    progress.update(now);
+    return true;
+  };
+  const auto stage_is_over = [before](const Simulation& now) {
+    return now.last_step().step > before.step && now.stage_ended();
+  };
+  const auto warn = [&progress](const std::string& words) {
+    progress.end();
+    fmt::print(stderr, "warning: {}\n", words);
+  };
   try {
-    do {
-      try {
-        simulation.step();
-      } catch (const Stopped&) {
-        if (on_stop) on_stop(simulation);
-        throw;
-      }
-      if (options_.stop_when_supersonic) demand_subsonic(simulation.last_step(), sound);
-      if (writer != nullptr) writer->after_step(simulation);
-      if (each_step) each_step(simulation);
-      progress.update(simulation);
-    } while (!simulation.stage_ended());
+    run(simulation, {.writer = writer,
+                     .checkpoints = checkpoints,
+                     .until = stage_is_over,
+                     .after_step = after_step,
+                     .warn = warn});
   } catch (...) {
     book();
-    if (writer != nullptr) writer->end_early(simulation, now_s() - start, std::current_exception());
     throw;
   }
   book();

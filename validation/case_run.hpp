@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/output/run_writer.hpp"
+#include "engine/run/checkpoint_writer.hpp"
 #include "engine/simulation.hpp"
 #include "validation/acceptance.hpp"
 
@@ -67,11 +68,11 @@ class CaseRun {
   Simulation solve(const std::string& name, const Scene& scene,
                    const std::function<void(const Simulation&)>& each_step = {});
 
-  /// Steps until the present stage ends, the steps' cost booked under `name`; `writer` may be null,
-  /// `on_stop` is that of `scarp::run`. Errors: those of `Simulation::step` and the writer.
+  /// Steps until the present stage ends, the steps' cost booked under `name`. Errors: those of
+  /// `scarp::run`.
   void run_stage(const std::string& name, Simulation& simulation, RunWriter* writer = nullptr,
                  const std::function<void(const Simulation&)>& each_step = {},
-                 const std::function<void(const Simulation&)>& on_stop = {});
+                 CheckpointWriter* checkpoints = nullptr);
 
   void add(Measure measure) { result_.measures.push_back(std::move(measure)); }
   /// Books a run that was not stepped by this class.

@@ -12,6 +12,7 @@
 
 #include "engine/cli/progress.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/run/run.hpp"
 
 namespace scarp::validation {
 
@@ -49,7 +50,7 @@ FactorOfSafety search_factor(CaseRun& run, const std::string& name, StrengthRedu
   std::optional<cli::Progress> progress;
   const auto proceed = [&](const Simulation& now) {
     if (!progress) {
-      progress.emplace(cli::total_duration(now.scene()), run.options().quiet);
+      progress.emplace(total_duration(now.scene()), run.options().quiet);
       if (!run.options().quiet) {
         fmt::print(stderr, "{}: {}SRF {:.4g}, {} particles\n", run.result().case_name, prefix,
                    now.scene().stages.back().strength_reduction, now.soil_count());

@@ -8,26 +8,32 @@
 #include <optional>
 #include <vector>
 
+#include "engine/check/costs.hpp"
+#include "engine/check/forecast.hpp"
+#include "engine/check/outputs.hpp"
+#include "engine/check/probe.hpp"
+#include "engine/check/start_warnings.hpp"
+#include "engine/check/subject.hpp"
+#include "engine/check/trial.hpp"
+#include "engine/check/warnings.hpp"
+#include "engine/cli/check_output.hpp"
 #include "engine/cli/commands.hpp"
-#include "engine/cli/cost_check.hpp"
-#include "engine/cli/forecast.hpp"
-#include "engine/cli/output_check.hpp"
-#include "engine/cli/probe_check.hpp"
-#include "engine/cli/progress.hpp"
-#include "engine/cli/start_warnings.hpp"
-#include "engine/cli/subject.hpp"
-#include "engine/cli/trial.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/dilation_note.hpp"
 #include "engine/particles/shapes.hpp"
 #include "engine/plain_text.hpp"
 #include "engine/scene/numerics_list.hpp"
-#include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using check::expected_frames;
+using check::Forecast;
+using check::longest_duration;
+using check::OutputTrial;
+using check::Subject;
+using check::Trial;
 
 /// Neighbours a particle has in the undisturbed lattice, itself not counted: the support is 2h
 /// wide.
@@ -76,10 +82,11 @@ Json summary(const Scene& scene, const Subject& subject) {
             {"notes", Json::array()}};
   const std::optional<std::string> dilation = dilation_note(scene);
   if (dilation && looks_reducible(scene)) json["notes"].push_back(*dilation);
-  for (const std::string& warning : start_warnings(simulation)) json["warnings"].push_back(warning);
+  for (const std::string& warning : check::start_warnings(simulation))
+    json["warnings"].push_back(warning);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     json["materials"].push_back({{"name", scene.materials[m].name},
-                                 {"model", scene.materials[m].model},
+                                 {"model", scene.materials[m].model.name()},
                                  {"particles", shown(subject.particles[m], subject.coarser)},
                                  {"k0", k0_of(scene, scene.materials[m])}});
   }
@@ -122,7 +129,7 @@ void add_outputs(Json& json, const Scene& scene, const Forecast& forecast,
   json["frame_bytes"] = std::llround(outputs.frame_bytes);
   json["checkpoint_bytes"] = std::llround(outputs.checkpoint_bytes);
   json["expected_frames"] = std::floor(expected_frames(scene, forecast));
-  const std::string warning = frames_warning(scene, forecast, outputs);
+  const std::string warning = check::frames_warning(scene, forecast, outputs);
   if (!warning.empty()) json["warnings"].push_back(warning);
 }
 
@@ -227,39 +234,42 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
 /// A probe takes some 3000 steps.
 Json probe_of(const Scene& scene, const Subject& subject, const RunOptions& options) {
   constexpr double most_probed = 12000;  // particles
-  const Scene probed = thinned(scene, subject.total, most_probed);
+  const Scene probed = check::thinned(scene, subject.total, most_probed);
   if (probed.spacing > subject.simulation.scene().spacing) {
     try {
-      return probe(Simulation(probed, options));
+      return check::probe(Simulation(probed, options));
     } catch (const SceneError&) {  // too coarse for its shapes
     }
   }
-  return probe(subject.simulation);
+  return check::probe(subject.simulation);
 }
 
 }  // namespace
 
-int check_command(const CheckArguments& check) {
-  const SceneArguments& arguments = check.scene;
+int check_command(const CheckArguments& asked) {
+  const SceneArguments& arguments = asked.scene;
   const Scene scene = load_scene(arguments);
-  Subject subject = subject_of(scene, arguments.options);
+  Subject subject = check::subject_of(scene, arguments.options);
   Json json = summary(scene, subject);
-  if (check.probe) json["probe"] = probe_of(scene, subject, arguments.options);
-  const Trial trial = scaled(try_steps(subject.simulation, check.patience), subject, scene.spacing);
-  const OutputTrial outputs = scaled(try_outputs(subject.simulation), subject.share());
-  const Forecast expected = forecast(scene, arguments.options, trial, check.patience);
+  if (asked.probe) json["probe"] = probe_of(scene, subject, arguments.options);
+  const Trial trial =
+      check::scaled(check::try_steps(subject.simulation, asked.patience), subject, scene.spacing);
+  const OutputTrial outputs =
+      check::scaled(check::try_outputs(subject.simulation), subject.share());
+  const Forecast expected = check::forecast(scene, arguments.options, trial, asked.patience);
   add_forecast(json, trial, expected);
   add_outputs(json, scene, expected, outputs);
   if (arguments.json != "-") print(scene, subject, json, trial, expected);
-  if (check.costs) {
+  if (asked.costs) {
     constexpr double most_timed = 50000;  // particles; a variant takes some 20 steps
-    json["costs"] = costs(thinned(scene, subject.total, most_timed), arguments.options);
+    json["costs"] =
+        check::costs(check::thinned(scene, subject.total, most_timed), arguments.options);
   }
-  if (arguments.json != "-" && check.probe) print_probe(json["probe"]);
-  if (arguments.json != "-" && check.costs) print_costs(json["costs"]);
+  if (arguments.json != "-" && asked.probe) print_probe(json["probe"]);
+  if (arguments.json != "-" && asked.costs) print_costs(json["costs"]);
   if (!arguments.json.empty())
     write_text(arguments.json, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  const bool stable = !check.probe || json["probe"]["margin"]["stable"].get<double>() >= 1.0;
+  const bool stable = !asked.probe || json["probe"]["margin"]["stable"].get<double>() >= 1.0;
   return trial.failure.empty() && stable ? ok : unstable;
 }
 

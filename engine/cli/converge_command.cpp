@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "engine/check/warnings.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/converge_output.hpp"
 #include "engine/cli/folder_claim.hpp"
@@ -18,8 +19,9 @@
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/plain_text.hpp"
+#include "engine/run/run.hpp"
 #include "engine/scene/units.hpp"
-#include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -112,7 +114,7 @@ void run_to_end(Simulation& simulation, const fs::path& folder,
     }
     return true;
   };
-  run(simulation, &writer, after_step);
+  run(simulation, {.writer = &writer, .after_step = after_step});
   progress.end();
 }
 

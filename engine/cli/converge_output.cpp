@@ -8,8 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/cli/progress.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/plain_text.hpp"
 
 namespace scarp::cli {
 namespace {

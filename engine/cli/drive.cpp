@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// The loop of `scarp run` and `scarp resume`.
+/// What `scarp run` and `scarp resume` say while a run goes, and how they end.
 #include "engine/cli/drive.hpp"
 
 #include <fmt/format.h>
@@ -10,8 +10,9 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/checkpoint_writer.hpp"
 #include "engine/plain_text.hpp"
+#include "engine/run/checkpoint_writer.hpp"
+#include "engine/run/run.hpp"
 
 namespace scarp::cli {
 
@@ -31,16 +32,7 @@ int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
       lost = true;
       say(now.lost_soil().message(now.soil_count()) + " The run goes on.");
     }
-    recovery.after_step(now, writer);
-    say(checkpoints.after_step(now));
     return true;
-  };
-  const auto on_stop = [&](const Simulation& now) {
-    try {
-      checkpoints.write(now);
-    } catch (const FileError& error) {
-      say(fmt::format("no checkpoint of the last step: {}", error.what()));
-    }
   };
   const auto hand_over = [&] {
     progress.end();
@@ -57,37 +49,34 @@ int drive(Simulation& simulation, RunWriter& writer, Recovery recovery,
   const auto seconds = [began] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
-  for (;;) {
+  try {
+    run(simulation, {.writer = &writer,
+                     .checkpoints = &checkpoints,
+                     .recovery = &recovery,
+                     .after_step = after_step,
+                     .warn = say});
+    hand_over();
+    summary("done", seconds());
+    const LostSoil& at_end = simulation.lost_soil();
+    if (at_end.particles == 0) return ok;
+    say(at_end.message(simulation.soil_count()));
+    return ExitCode::lost_soil;
+  } catch (const SimulationInstability&) {
     try {
-      run(simulation, &writer, after_step, on_stop);
       hand_over();
-      summary("done", seconds());
-      const LostSoil& at_end = simulation.lost_soil();
-      if (at_end.particles == 0) return ok;
-      say(at_end.message(simulation.soil_count()));
-      return ExitCode::lost_soil;
-    } catch (const SimulationInstability& instability) {
-      if (const auto retry = recovery.go_back(simulation, writer, instability)) {
-        checkpoints.went_back(simulation);
-        say(*retry);
-        continue;
-      }
-      try {
-        hand_over();
-      } catch (const FileError& error) {
-        say(error.what());
-      }
-      fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
-                 writer.frame_count(), plain_text(writer.folder().string()));
-      throw;
-    } catch (const Stopped&) {
-      hand_over();
-      summary("stopped", seconds());
-      throw;
-    } catch (...) {
-      progress.end();
-      throw;
+    } catch (const FileError& error) {
+      say(error.what());
     }
+    fmt::print(stderr, "The run stopped; its last state and {} frames are in {}.\n",
+               writer.frame_count(), plain_text(writer.folder().string()));
+    throw;
+  } catch (const Stopped&) {
+    hand_over();
+    summary("stopped", seconds());
+    throw;
+  } catch (...) {
+    progress.end();
+    throw;
   }
 }
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "engine/output/recovery.hpp"
 #include "engine/output/run_writer.hpp"
+#include "engine/run/recovery.hpp"
 #include "engine/simulation.hpp"
 
 namespace scarp::cli {

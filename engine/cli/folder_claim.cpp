@@ -9,8 +9,8 @@
 
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/result_files.hpp"
+#include "engine/run/checkpoint_writer.hpp"
 
 namespace scarp::cli {
 namespace {

@@ -9,6 +9,8 @@
 #include <functional>
 #include <optional>
 
+#include "engine/check/start_warnings.hpp"
+#include "engine/check/warnings.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/folder_claim.hpp"
 #include "engine/cli/fos_forecast.hpp"
@@ -17,15 +19,14 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/run_record.hpp"
-#include "engine/cli/start_warnings.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/failure_run.hpp"
-#include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/plain_text.hpp"
+#include "engine/run/checkpoint_writer.hpp"
+#include "engine/run/run.hpp"
 #include "engine/scene/nearest_name.hpp"
-#include "engine/scene/warnings.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -190,7 +191,7 @@ std::optional<StrengthReduction> settle(const Scene& scene, const FosArguments& 
 /// What is begun, from the scene as it starts.
 void announce(const Simulation& start, const FosArguments& arguments, const fs::path& folder) {
   const Scene& scene = start.scene();
-  for (const std::string& warning : start_warnings(start))
+  for (const std::string& warning : check::start_warnings(start))
     fmt::print(stderr, "warning: {}\n", warning);
   if (arguments.quiet) return;
   fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",

@@ -4,15 +4,15 @@
 
 #include <fmt/format.h>
 
-#include "engine/cli/progress.hpp"
-#include "engine/cli/trial.hpp"
+#include "engine/check/trial.hpp"
+#include "engine/plain_text.hpp"
 
 namespace scarp::cli {
 
 std::string search_forecast(const Simulation& start, const Criterion& criterion,
                             const SearchOptions& search) {
   Simulation copy = start.clone();
-  const Trial steps = try_steps(copy, 0.5);
+  const check::Trial steps = check::try_steps(copy, 0.5);
   const Scene& scene = start.scene();
   double settling = 0.0;
   for (std::size_t s = 0; s + 1 < scene.stages.size(); ++s)
@@ -33,7 +33,7 @@ std::string time_left(const SearchOptions& search, const FactorOfSafety& found) 
   if (left == 0) return {};
   double sum = found.elastic.wall_s;
   int run = found.elastic.wall_s > 0.0 ? 1 : 0;
-  for (const scarp::Trial& trial : found.trials) {
+  for (const Trial& trial : found.trials) {
     sum += trial.wall_s;
     run += trial.wall_s > 0.0 ? 1 : 0;
   }

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/cli/progress.hpp"
 #include "engine/fos/dilation_note.hpp"
+#include "engine/plain_text.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -79,7 +79,7 @@ std::vector<std::string> notes(const FosReport& report, const Simulation& settle
     found.push_back(fmt::format(
         "Stage '{}' damps with {:g} 1/s: a slope that fails may not move far enough within the "
         "window, and the factor comes out too high.",
-        last.name, last.damping));
+        last.name, *last.damping));
   }
   if (scene.probes.empty()) {
     found.push_back(

@@ -12,10 +12,10 @@
 #include "engine/cli/fos_output.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
-#include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/result_files.hpp"
 #include "engine/output/results.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/run/checkpoint_writer.hpp"
 
 namespace scarp::cli {
 namespace {

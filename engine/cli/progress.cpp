@@ -2,6 +2,7 @@
 /// Text and timing of the progress display.
 
 #include "engine/cli/progress.hpp"
+#include "engine/plain_text.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -25,27 +26,6 @@ double stages_before(const Simulation& simulation) {
 }
 
 }  // namespace
-
-std::string readable_duration(double seconds) {
-  if (!std::isfinite(seconds) || seconds > 3.6e8) return "unknown";
-  const auto s = static_cast<long>(std::lround(std::fmax(seconds, 0.0)));
-  if (s >= 86400) return fmt::format("{} d {:02} h", s / 86400, s % 86400 / 3600);
-  if (s >= 3600) return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
-  if (s >= 60) return fmt::format("{} min {:02} s", s / 60, s % 60);
-  return seconds < 10.0 ? fmt::format("{:.1f} s", std::fmax(seconds, 0.0)) : fmt::format("{} s", s);
-}
-
-std::string readable_bytes(double bytes) {
-  const double mebibytes = bytes / (1024.0 * 1024.0);
-  return mebibytes < 1024.0 ? fmt::format("{:.3g} MiB", mebibytes)
-                            : fmt::format("{:.3g} GiB", mebibytes / 1024.0);
-}
-
-double total_duration(const Scene& scene) {
-  double total = 0.0;
-  for (const Stage& stage : scene.stages) total += stage.duration.value_or(0.0);
-  return total;
-}
 
 Progress::Progress(double total_time, bool quiet)
     : total_time_(total_time), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}

@@ -28,13 +28,4 @@ class Progress {
   bool quiet_, terminal_, drawn_ = false;
 };
 
-/// "1 h 05 min", "3 min 20 s", "12 s".
-std::string readable_duration(double seconds);
-
-/// "1.25 GiB", "310 MiB".
-std::string readable_bytes(double bytes);
-
-/// Longest simulated time of all stages [s].
-double total_duration(const Scene& scene);
-
 }  // namespace scarp::cli

@@ -13,10 +13,10 @@
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
-#include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/results.hpp"
 #include "engine/plain_text.hpp"
+#include "engine/run/checkpoint_writer.hpp"
 #include "engine/team.hpp"
 
 namespace scarp::cli {

@@ -7,11 +7,12 @@
 #include <fstream>
 #include <iterator>
 
+#include "engine/check/start_warnings.hpp"
+#include "engine/check/warnings.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/drive.hpp"
 #include "engine/cli/folder_claim.hpp"
 #include "engine/cli/run_record.hpp"
-#include "engine/cli/start_warnings.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/results.hpp"
 #include "engine/output/run_writer.hpp"
@@ -19,7 +20,6 @@
 #include "engine/plain_text.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "engine/scene/units.hpp"
-#include "engine/scene/warnings.hpp"
 #include "engine/stop.hpp"
 
 namespace scarp::cli {
@@ -95,7 +95,7 @@ int run_command(const RunArguments& arguments) {
           ? std::filesystem::path("out") / std::filesystem::path(scene.file).stem()
           : std::filesystem::path(arguments.folder);
   Simulation simulation(scene, arguments.scene.options);
-  for (const std::string& warning : start_warnings(simulation))
+  for (const std::string& warning : check::start_warnings(simulation))
     fmt::print(stderr, "warning: {}\n", warning);
   if (!arguments.quiet) {
     fmt::print(stderr, "{}: {} soil and {} wall particles, {}, {} threads, output in {}\n",

@@ -10,9 +10,9 @@
 #include "engine/checkpoint/scene_text.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/result_files.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/run/checkpoint_writer.hpp"
 
 namespace scarp::cli {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/fos/displacement.hpp"
+#include "engine/run/run.hpp"
 
 namespace scarp {
 namespace {
@@ -67,11 +68,11 @@ class Rate {
 
 bool settle(Simulation& simulation, const Proceed& proceed) {
   const std::size_t last = simulation.scene().stages.size() - 2;
-  while (simulation.stage_index() < last || !simulation.stage_ended()) {
-    simulation.step();
-    if (proceed && !proceed(simulation)) return false;
-  }
-  return true;
+  const auto settled = [last](const Simulation& now) {
+    return now.stage_index() >= last && now.stage_ended();
+  };
+  run(simulation, {.until = settled, .after_step = proceed});
+  return settled(simulation);
 }
 
 StrengthReduction::StrengthReduction(Simulation settled, const Criterion& criterion)
@@ -150,22 +151,21 @@ std::optional<Trial> StrengthReduction::run(Simulation simulation, double reduct
   trial.reduction = reduction;
   Rate rate(criterion_.span);
   rate.sample(0.0, 0.0);
-  bool over = false;
-  while (!over) {
-    simulation.step();
-    const double time = simulation.last_step().time - start_time;
-    trial.steps = simulation.last_step().step - first_step;
-    const bool sampled = trial.steps % sample_steps == 0 || simulation.finished();
+  bool over = false, goes_on = true;
+  const auto judge = [&](const Simulation& now) {
+    const double time = now.last_step().time - start_time;
+    trial.steps = now.last_step().step - first_step;
+    const bool sampled = trial.steps % sample_steps == 0 || now.finished();
     if (sampled || criterion_.probe) {
-      trial.displacement = std::max(trial.displacement, displacement(simulation));
+      trial.displacement = std::max(trial.displacement, displacement(now));
     }
-    if (sampled) rate.sample(time, largest_displacement(simulation));
+    if (sampled) rate.sample(time, largest_displacement(now));
     const std::optional<double> moving = sampled ? rate.value() : std::nullopt;
     const double left = criterion_.ramp + criterion_.window - time;
     if (trial.displacement > limit) {
       trial.fails = over = true;
       trial.end = TrialEnd::limit_crossed;
-    } else if (simulation.finished()) {
+    } else if (now.finished()) {
       over = true;
       trial.end = TrialEnd::window_over;
     } else if (criterion_.early_stop && moving && left < criterion_.window - criterion_.span &&
@@ -173,8 +173,12 @@ std::optional<Trial> StrengthReduction::run(Simulation simulation, double reduct
       over = true;
       trial.end = TrialEnd::came_to_rest;
     }
-    if (proceed && !proceed(simulation)) return {};
-  }
+    goes_on = !proceed || proceed(now);
+    return goes_on;
+  };
+  scarp::run(simulation,
+             {.until = [&over](const Simulation&) { return over; }, .after_step = judge});
+  if (!goes_on) return {};
   trial.time = simulation.last_step().time - start_time;
   trial.speed = speed(simulation);
   trial.wall_s = std::chrono::duration<double>(Clock::now() - start).count();

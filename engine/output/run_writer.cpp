@@ -311,37 +311,4 @@ void RunWriter::write_row(const Simulation& simulation) {
   row_step_ = step;
 }
 
-double run(Simulation& simulation, RunWriter* writer,
-           const std::function<bool(const Simulation&)>& proceed,
-           const std::function<void(const Simulation&)>& on_stop) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto seconds = [start] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  std::string stopped;
-  try {
-    while (stopped.empty() && !simulation.finished()) {
-      try {
-        simulation.step();
-      } catch (const Stopped&) {
-        if (on_stop) on_stop(simulation);
-        throw;
-      }
-      if (writer) writer->after_step(simulation);
-      if (proceed && !proceed(simulation)) stopped = "stopped on request";
-    }
-  } catch (const SimulationInstability& instability) {
-    const std::string missing =
-        writer ? writer->end_early(simulation, seconds(), std::current_exception()) : "";
-    if (missing.empty()) throw;
-    throw SimulationInstability(fmt::format("{}\n{}", instability.what(), missing));
-  } catch (...) {
-    if (writer) writer->end_early(simulation, seconds(), std::current_exception());
-    throw;
-  }
-  const double wall_seconds = seconds();
-  if (writer) writer->finish(simulation, wall_seconds, stopped);
-  return wall_seconds;
-}
-
 }  // namespace scarp

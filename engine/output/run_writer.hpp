@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// All outputs of one run in one folder, and the loop that drives a run.
+/// All outputs of one run in one folder.
 #pragma once
 
 #include <chrono>
@@ -93,14 +93,5 @@ class RunWriter {
   double frame_seconds_ = 0.0, row_seconds_ = 0.0, checkpoint_seconds_ = 0.0;  ///< wall time
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
-
-/// Steps until the last stage has ended; returns the wall time of these steps [s]. `writer` may be
-/// null. `proceed` is called after each step; false ends the run early, with its outputs finished
-/// and marked incomplete. `on_stop` is called between two steps where `RunOptions::stop` asks for
-/// an end, before the outputs are finished: the moment for a checkpoint. Errors: those of
-/// `Simulation::step()`, of the writer and of `proceed`, after `RunWriter::end_early`.
-double run(Simulation& simulation, RunWriter* writer,
-           const std::function<bool(const Simulation&)>& proceed = {},
-           const std::function<void(const Simulation&)>& on_stop = {});
 
 }  // namespace scarp

@@ -11,7 +11,7 @@
 
 #include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/checkpoint_writer.hpp"
+#include "engine/run/checkpoint_writer.hpp"
 #include "validation/paper/claims.hpp"
 #include "validation/paper/nearly_at_rest.hpp"
 #include "validation/paper/plane_zone.hpp"

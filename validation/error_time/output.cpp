@@ -8,7 +8,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
 #include "validation/error_time/sentences.hpp"

@@ -10,7 +10,7 @@
 #include <limits>
 #include <map>
 
-#include "engine/cli/progress.hpp"
+#include "engine/plain_text.hpp"
 #include "validation/acceptance.hpp"
 
 namespace scarp::validation {
@@ -25,7 +25,7 @@ std::string percent(double error) {
 }
 
 std::string duration(double wall_s) {
-  return wall_s < 1.0 ? fmt::format("{:.2g} s", wall_s) : cli::readable_duration(wall_s);
+  return wall_s < 1.0 ? fmt::format("{:.2g} s", wall_s) : readable_duration(wall_s);
 }
 
 /// "10 %, 5 % and 2 %".

@@ -13,8 +13,8 @@
 #include <iterator>
 #include <set>
 
-#include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
+#include "engine/plain_text.hpp"
 #include "validation/error_time/forecast.hpp"
 
 namespace scarp::validation {
@@ -158,7 +158,7 @@ class Runner {
                 const std::vector<Trial>& trials) const {
     if (options_.quiet) return;
     const auto words = [](std::optional<double> s) {
-      return s ? cli::readable_duration(*s) : std::string("unknown");
+      return s ? readable_duration(*s) : std::string("unknown");
     };
     fmt::print(stderr, "{} {}/{}, run {}: {}, dx = {:g} m; expected {}, about {} left\n", row_.name,
                number, trials.size(), repeat + 1, name_of(trial.setting), spacings_[trial.level],
@@ -170,7 +170,7 @@ class Runner {
     if (options_.quiet) return;
     if (record.status == RunStatus::ok) {
       fmt::print(stderr, "    {} {:.5g}, {}\n", problem_.against_finest ? "value" : "error",
-                 record.outcome, cli::readable_duration(record.wall_s));
+                 record.outcome, readable_duration(record.wall_s));
     } else {
       fmt::print(stderr, "    {}: {}\n", word(record.status), record.reason);
     }

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/cli/progress.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/run/run.hpp"
 #include "validation/paper/nearly_at_rest.hpp"
 
 namespace scarp::validation {
@@ -112,7 +112,7 @@ std::vector<PlannedRun> planned_runs(const CaseRun& run, const ReadingPlan& plan
         return other.name == study.name;
       });
       if (known || (run.options().resume && is_finished(run, study))) continue;
-      const double simulated = cli::total_duration(study.scene);
+      const double simulated = total_duration(study.scene);
       planned.push_back({study.name, std::move(study.scene), simulated});
     }
   }

@@ -8,15 +8,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cli/progress.hpp"
-#include "engine/cli/trial.hpp"
+#include "engine/check/trial.hpp"
+#include "engine/plain_text.hpp"
 
 namespace scarp::validation {
 
 void SetForecast::plan(const std::string& case_name, const PlannedRun& run,
                        const RunOptions& options) {
   Simulation simulation(run.scene, options);
-  const cli::Trial trial = cli::try_steps(simulation, 0.3);
+  const check::Trial trial = check::try_steps(simulation, 0.3);
   const double seconds = run.simulated_s / trial.time_step * trial.seconds_per_step;
   entries_.push_back({case_name, run.name, static_cast<double>(simulation.soil_count()),
                       std::isfinite(seconds) ? seconds : 0.0, false});
@@ -27,10 +27,10 @@ void SetForecast::print() const {
   fmt::print(stderr, "{:<18} {:<58} {:>10} {:>14}\n", "case", "run", "particles", "at most");
   for (const Entry& entry : entries_) {
     fmt::print(stderr, "{:<18} {:<58} {:>10.0f} {:>14}\n", entry.case_name, entry.run,
-               entry.particles, cli::readable_duration(entry.seconds));
+               entry.particles, readable_duration(entry.seconds));
   }
   fmt::print(stderr, "{} runs, together at most about {}; those that come to rest end before.\n",
-             entries_.size(), cli::readable_duration(total_s()));
+             entries_.size(), readable_duration(total_s()));
 }
 
 double SetForecast::total_s() const {
@@ -55,8 +55,8 @@ void SetForecast::begin(const std::string& case_name, const std::string& run) {
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   const double left = (total - behind) * (behind > 0.0 ? elapsed / behind : 1.0);
   fmt::print(stderr, "set: run {} of {}, {:.0f} % behind, about {} left; {}: {}\n", done + 1,
-             entries_.size(), total > 0.0 ? 100.0 * behind / total : 0.0,
-             cli::readable_duration(left), case_name, run);
+             entries_.size(), total > 0.0 ? 100.0 * behind / total : 0.0, readable_duration(left),
+             case_name, run);
 }
 
 void SetForecast::end(const std::string& case_name, const std::string& run) {

@@ -8,8 +8,8 @@
 #include "engine/checkpoint/scene_text.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
-#include "engine/output/checkpoint_writer.hpp"
 #include "engine/output/folder_lock.hpp"
+#include "engine/run/checkpoint_writer.hpp"
 #include "validation/acceptance.hpp"
 #include "validation/error_time/run_log.hpp"
 #include "validation/paper/set_forecast.hpp"
@@ -56,8 +56,6 @@ void step_to_the_end(CaseRun& run, const StudyRun& study, const Observer& observ
     if (observer.each_step) observer.each_step(now, outcome);
     if (observer.stage_is_over && observer.stage_is_over(now)) simulation.end_stage();
     if (outcome.values.size() != known) write_outcome(folder, outcome);
-    const std::string warning = checkpoints.after_step(now);
-    if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
   };
   bool ended = simulation.stage_ended();  // a checkpoint may be of a stage's last step
   std::size_t next = simulation.stage_index();
@@ -66,8 +64,7 @@ void step_to_the_end(CaseRun& run, const StudyRun& study, const Observer& observ
       const auto& stages = simulation.scene().stages;
       try {
         run.run_stage(fmt::format("{}: {}", study.name, stages[next].name), simulation,
-                      &begun.writer, each_step,
-                      [&](const Simulation& now) { checkpoints.write(now); });
+                      &begun.writer, each_step, &checkpoints);
       } catch (const Stopped&) {
         outcome.costs.push_back(run.result().runs.back());
         write_outcome(folder, outcome);

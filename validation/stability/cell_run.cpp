@@ -11,9 +11,9 @@
 #include <random>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "engine/check/stability_margin.hpp"
 #include "engine/errors.hpp"
 #include "engine/setup.hpp"
-#include "engine/watch/stability_margin.hpp"
 #include "engine/watch/watch.hpp"
 #include "validation/pressure_noise.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/watch/stability_margin.hpp"
+#include "engine/check/stability_margin.hpp"
 
 namespace scarp::validation {
 namespace {

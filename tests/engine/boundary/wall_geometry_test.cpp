@@ -11,8 +11,8 @@
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/boundary/facet_index.hpp"
 #include "engine/boundary/wall_clearance.hpp"
-#include "engine/boundary/wall_gaps.hpp"
 #include "engine/boundary/wall_joints.hpp"
+#include "engine/check/wall_gaps.hpp"
 #include "engine/errors.hpp"
 #include "tests/engine/boundary/line_walls.hpp"
 

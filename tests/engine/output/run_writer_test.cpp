@@ -2,6 +2,7 @@
 /// When a run writes what, and what results.json claims.
 
 #include "engine/output/run_writer.hpp"
+#include "engine/run/run.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -43,7 +44,7 @@ class RunWriterTest : public OutputTest {
 TEST_F(RunWriterTest, WritesFramesAtIntervalsAndStageEnds) {
   Simulation simulation = block();
   RunWriter writer(simulation, folder_);
-  run(simulation, &writer);
+  run(simulation, {.writer = &writer});
   EXPECT_EQ(events(),
             (std::vector<std::string>{"start", "interval", "interval", "stage_end", "stage_start",
                                       "interval", "interval", "stage_end"}));
@@ -65,7 +66,7 @@ TEST_F(RunWriterTest, RowsOfShortStagesCostATenthOfTheSteps) {
   stiff.replace(stiff.find("10 MPa"), 6, "500 MPa");
   Simulation simulation(read_scene_text(stiff, "block.toml"));
   RunWriter writer(simulation, folder_);
-  run(simulation, &writer);
+  run(simulation, {.writer = &writer});
   std::vector<std::uint64_t> steps;
   for (const std::string& line : lines("history.csv")) {
     std::istringstream cells(line);
@@ -92,7 +93,7 @@ TEST_F(RunWriterTest, RowsFallOnEveryStepWhereTheSceneAsksForThem) {
   const std::string each = block_text + "probes_every = 1e-9\n";
   Simulation simulation(read_scene_text(each, "block.toml"));
   RunWriter writer(simulation, folder_);
-  run(simulation, &writer);
+  run(simulation, {.writer = &writer});
   EXPECT_EQ(lines("history.csv").size(), simulation.last_step().step + 2);  // titles and start
 }
 
@@ -100,7 +101,7 @@ TEST_F(RunWriterTest, OutputsHaveTheirLinesInTheProfile) {
   Simulation simulation = block();
   RunWriter writer(simulation, folder_);
   writer.add_checkpoint_time(0.25);
-  run(simulation, &writer);
+  run(simulation, {.writer = &writer});
   const json found = results();
   std::map<std::string, double> seconds;
   for (const json& phase : found.at("profile"))
@@ -128,7 +129,7 @@ TEST_F(RunWriterTest, ReportsTheMass) {
 TEST_F(RunWriterTest, WritesAsManyCellsPerRowAsTitles) {
   Simulation simulation = block();
   RunWriter writer(simulation, folder_);
-  run(simulation, &writer);
+  run(simulation, {.writer = &writer});
   for (const char* name : {"history.csv", "probes.csv", "walls.csv"}) {
     const auto rows = lines(name);
     ASSERT_GT(rows.size(), 3u) << name;
@@ -152,7 +153,8 @@ TEST_F(RunWriterTest, WritesAsManyCellsPerRowAsTitles) {
 TEST_F(RunWriterTest, StopsOnRequestWithItsOutputsFinished) {
   Simulation simulation = block();
   RunWriter writer(simulation, folder_);
-  run(simulation, &writer, [](const Simulation& now) { return now.last_step().step < 2; });
+  run(simulation, {.writer = &writer,
+                   .after_step = [](const Simulation& now) { return now.last_step().step < 2; }});
   EXPECT_EQ(simulation.last_step().step, 2u);
   EXPECT_EQ(results().at("complete"), false);
   EXPECT_EQ(results().at("pass"), false);

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/check/warnings.hpp"
 #include "engine/errors.hpp"
-#include "engine/scene/warnings.hpp"
 #include "tests/engine/scene/scene_texts.hpp"
 
 namespace scarp {

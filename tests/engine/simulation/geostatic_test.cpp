@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/initial_stress_check.hpp"
+#include "engine/check/initial_stress.hpp"
 #include "tests/support/small_scenes.hpp"
 
 namespace scarp::test {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <string>
 
+#include "engine/check/warnings.hpp"
 #include "engine/output/results.hpp"
-#include "engine/scene/warnings.hpp"
 #include "tests/support/small_scenes.hpp"
 
 namespace scarp::test {

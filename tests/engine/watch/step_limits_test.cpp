@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "engine/check/stability_margin.hpp"
 #include "engine/integrate/lattice_sums.hpp"
-#include "engine/watch/stability_margin.hpp"
 #include "kernels/smoothing/list.hpp"
 #include "tests/support/small_scenes.hpp"
 

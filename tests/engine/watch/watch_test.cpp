@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "engine/scene/warnings.hpp"
+#include "engine/check/warnings.hpp"
 #include "engine/setup.hpp"
 #include "engine/step/step_phases.hpp"
 #include "engine/watch/watch.hpp"

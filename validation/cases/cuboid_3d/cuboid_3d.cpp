@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cli/progress.hpp"
+#include "engine/run/run.hpp"
 #include "validation/case_list.hpp"
 #include "validation/cases/cuboid_3d/cuboid_measures.hpp"
 #include "validation/paper/nearly_at_rest.hpp"
@@ -170,7 +170,7 @@ std::vector<PlannedRun> cuboid_3d_runs(const CaseRun& run) {
   std::vector<PlannedRun> planned;
   for (const StudyRun& study : collapses(run)) {
     if (run.options().resume && is_finished(run, study)) continue;
-    planned.push_back({study.name, study.scene, cli::total_duration(study.scene)});
+    planned.push_back({study.name, study.scene, total_duration(study.scene)});
   }
   return planned;
 }

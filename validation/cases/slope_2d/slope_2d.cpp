@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/run/run.hpp"
 #include "validation/case_list.hpp"
 #include "validation/cases/slope_2d/slip_band.hpp"
 #include "validation/factor_of_safety.hpp"
@@ -220,7 +220,7 @@ std::vector<PlannedRun> slope_2d_runs(const CaseRun& run) {
   const Scene scene = run.scene(form_spacings);
   // Settling and the slide; then four to six strengths that run to the end of their window, and in
   // the longer forms two more slides.
-  const double slide = cli::total_duration(scene), window = 9.1;
+  const double slide = total_duration(scene), window = 9.1;
   return {{"all strengths", scene,
            slide + 5.0 * window +
                (run.short_form() ? 0.0 : 2.0 * scene.stages.back().duration.value())}};

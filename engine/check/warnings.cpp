@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Findings about soil that is too soft or cannot yield, and numerics known not to work together.
+#include "engine/check/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/check/magnitudes.hpp"
+#include "engine/check/thin_places.hpp"
+#include "engine/check/wall_gaps.hpp"
+
+namespace scarp {
+namespace {
+
+void check_strength(const Scene& scene, const Material& material, std::vector<std::string>& found) {
+  const SoilModel& model = material.model;
+  if (const auto doubt = model.info().doubt(model.parameters(), scene.dimension)) {
+    found.push_back(fmt::format("material '{}': {}: {}", material.name,
+                                model.info().parameters[doubt->parameter].name, doubt->why));
+  }
+  const auto strength = model.strength();
+  if (strength && strength->cohesion == 0.0 && strength->friction_angle == 0.0) {
+    found.push_back(fmt::format(
+        "material '{}': cohesion and friction angle are 0, so it has no strength at all.",
+        material.name));
+  }
+}
+
+/// The stiffest material sets the step for all. Where it only carries, a hundred times the
+/// stiffness of the softest will do: under the same stress it strains a hundredth as much.
+void check_contrast(const Scene& scene, std::vector<std::string>& found) {
+  constexpr double much = 1000.0, enough = 100.0;
+  const Material *soft = nullptr, *fast = nullptr;
+  const auto stiffness = [](const Material& m) { return m.model.moduli().wave_modulus(); };
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (!is_used(scene, m)) continue;
+    const Material& material = scene.materials[m];
+    if (soft == nullptr || stiffness(material) < stiffness(*soft)) soft = &material;
+    if (fast == nullptr || material.sound_speed() > fast->sound_speed()) fast = &material;
+  }
+  if (soft == nullptr) return;
+  const double contrast = stiffness(*fast) / stiffness(*soft);
+  if (contrast < much) return;
+  found.push_back(fmt::format(
+      "material '{}' makes the time step {:.3g} times shorter than '{}' needs. Where it only "
+      "carries, try a Young's modulus of {:.3g} times its own: {:.2g} times fewer steps; under the "
+      "same stress it "
+      "then "
+      "strains {:.0f} % as much as '{}', instead of {:.2g} %.",
+      fast->name, fast->sound_speed() / soft->sound_speed(), soft->name, enough / contrast,
+      std::sqrt(contrast / enough), 100.0 / enough, soft->name, 100.0 / contrast));
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Scene& scene) {
+  std::vector<std::string> found;
+  for (const Material& material : scene.materials) check_strength(scene, material, found);
+  check_magnitudes(scene, found);
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (!is_used(scene, m)) {
+      found.push_back(
+          fmt::format("material '{}': no body is made of it.", scene.materials[m].name));
+    }
+  }
+  check_contrast(scene, found);
+  for (std::string& gap : wall_gaps(scene)) found.push_back(std::move(gap));
+  for (std::string& place : thin_places(scene)) found.push_back(std::move(place));
+  // With corrected gradients a slope still creeps after its slide at 0.6 (THEORY, section 3).
+  const double highest = scene.numerics.gradient_correction ? 0.3 : 0.8;
+  if (scene.numerics.integrator == Integrator::verlet && scene.numerics.cfl > highest) {
+    found.push_back(
+        fmt::format("numerics: cfl = {} is near or above what Verlet, which leaps over two steps, "
+                    "bears. Try {}, "
+                    "or integrator = \"kick_drift_kick\".",
+                    scene.numerics.cfl, scene.numerics.gradient_correction ? 0.3 : 0.6));
+  }
+  for (const Wall& wall : scene.walls) {
+    if (!wall.removed_at.empty() && wall.removed_at == scene.stages.front().name) {
+      found.push_back(fmt::format(
+          "wall '{}': it is removed when the first stage begins, so it never acts.", wall.name));
+    }
+  }
+  return found;
+}
+
+}  // namespace scarp

@@ -154,6 +154,20 @@ void fill_particles(State& state, const SoilPoints& soil) {
   p.start_from_here();
 }
 
+/// What the whole soil decides, of all its parts.
+void look_at_all_soil(State& state) {
+  std::vector<double> counts(state.scene.materials.size());
+  double& fastest = state.limits.sound_speed;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    counts[group.material] = static_cast<double>(group.count);
+    fastest = std::max(fastest, state.scene.materials[group.material].sound_speed());
+  }
+  fastest = state.reduction->maximum_of(fastest);
+  state.reduction->sum(counts);
+  state.boundary.material =
+      static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+}
+
 void set_pair_constants(State& state) {
   const Numerics& n = state.scene.numerics;
   const kernels::SmoothingForm& form = smoothing_of(n);
@@ -281,11 +295,7 @@ State make_state(Scene scene, const RunOptions& options) {
   state.boundary.velocity.assign(state.scene.walls.size(), Vec3{});
   state.boundary.hold_force.assign(state.scene.walls.size(), Vec3{});
   fill_particles(state, soil);
-  for (const ParticleGroup& group : state.particles.groups()) {
-    state.limits.sound_speed =
-        std::max(state.limits.sound_speed, state.scene.materials[group.material].sound_speed());
-  }
-  state.limits.sound_speed = state.reduction->maximum_of(state.limits.sound_speed);
+  look_at_all_soil(state);
   stop_if_asked(state.options.stop);
   place_walls(state);
   stop_if_asked(state.options.stop);

@@ -3,7 +3,6 @@
 #include "engine/simulation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -15,7 +14,7 @@
 #include "engine/scene/nearest_name.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
-#include "engine/step/step_phases.hpp"
+#include "engine/step/phase_runner.hpp"
 #include "engine/stop.hpp"
 #include "engine/watch/watch.hpp"
 
@@ -60,44 +59,10 @@ Impl& owned(const std::unique_ptr<Impl>& impl) {
 }  // namespace
 
 struct Simulation::Impl {
-  explicit Impl(State made)
-      : state(std::move(made)),
-        phases(phases_of(state.scene.numerics.integrator)),
-        start_seconds(phases.stage_start.size()),
-        step_seconds(phases.step.size()) {}
+  explicit Impl(State made) : state(std::move(made)), runner(state.scene.numerics.integrator) {}
 
-  struct Hook {
-    std::string phase;
-    When when;
-    PhaseHook call;
-  };
   State state;
-  StepPhases phases;
-  std::vector<double> start_seconds, step_seconds;  ///< by phase
-  std::vector<Hook> hooks;
-
-  void call_hooks(const Phase& phase, When when) {
-    for (const Hook& hook : hooks) {
-      if (hook.when != when || hook.phase != phase.name) continue;
-      PhaseView view(state, phase, when);
-      hook.call(view);
-    }
-  }
-  /// Runs the phases, adds what each took to `seconds`, returns the sum [s].
-  double run(PhaseList list, std::vector<double>& seconds) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point began = Clock::now();
-    Clock::time_point before = began;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      call_hooks(list[k], When::before);
-      list[k].run(state);
-      call_hooks(list[k], When::after);
-      const Clock::time_point after = Clock::now();
-      seconds[k] += std::chrono::duration<double>(after - before).count();
-      before = after;
-    }
-    return std::chrono::duration<double>(before - began).count();
-  }
+  PhaseRunner runner;
   std::vector<std::int64_t> slot_of_id() const {
     std::vector<std::int64_t> slots(static_cast<std::size_t>(state.particles.count()));
     const auto& ids = state.particles.ids();
@@ -124,13 +89,7 @@ const StepReport& Simulation::step() {
   State& state = owned(impl_).state;
   stop_if_asked(state.options.stop);
   if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
-  Impl& impl = *impl_;
-  if (!state.stage.started || state.stage.ended)
-    impl.run(impl.phases.stage_start, impl.start_seconds);
-  const std::uint64_t rebuilds = state.neighbours.rebuilds;
-  state.threads = state.team.threads();
-  const double seconds = impl.run(impl.phases.step, impl.step_seconds);
-  state.team.took(seconds, state.neighbours.rebuilds != rebuilds);
+  impl_->runner.step(state);
   return state.report;
 }
 
@@ -318,51 +277,18 @@ std::uint64_t Simulation::face_hold_count() const {
   return static_cast<std::uint64_t>(
       state.reduction->sum_of(static_cast<double>(state.boundary.holds)));
 }
-std::vector<PhaseTime> Simulation::profile() const {
-  const Impl& impl = owned(impl_);
-  std::vector<PhaseTime> times;
-  const auto add = [&times](PhaseList list, const std::vector<double>& seconds) {
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      const auto known = std::find_if(times.begin(), times.end(), [&](const PhaseTime& time) {
-        return time.phase == list[k].name;
-      });
-      if (known == times.end()) {
-        times.push_back({list[k].name, seconds[k]});
-      } else {
-        known->seconds += seconds[k];
-      }
-    }
-  };
-  add(impl.phases.step, impl.step_seconds);
-  add(impl.phases.stage_start, impl.start_seconds);
-  return times;
-}
-
+std::vector<PhaseTime> Simulation::profile() const { return owned(impl_).runner.times(); }
 std::vector<PhaseInfo> Simulation::phases() const {
   const Impl& impl = owned(impl_);
   std::vector<PhaseInfo> infos;
-  for (const PhaseList list : {impl.phases.stage_start, impl.phases.step}) {
-    for (const Phase& phase : list) infos.push_back(describe(phase));
+  for (const PhaseList list : {impl.runner.phases().stage_start, impl.runner.phases().step}) {
+    for (const Phase& phase : list) infos.push_back(describe(phase, impl.state.particles));
   }
   return infos;
 }
-
 void Simulation::on_phase(std::string_view phase, When when, PhaseHook hook) {
-  Impl& impl = owned(impl_);
-  if (!hook) throw Error(fmt::format("on_phase('{}'): the hook is empty. Try a function.", phase));
-  std::string known;
-  for (const PhaseInfo& info : phases()) {
-    if (info.name == phase) {
-      impl.hooks.push_back({std::string(phase), when, std::move(hook)});
-      return;
-    }
-    if (known.find(info.name) == std::string::npos)
-      known += (known.empty() ? "" : ", ") + info.name;
-  }
-  throw Error(
-      fmt::format("on_phase('{}'): this run has no such phase; there are {}.", phase, known));
+  owned(impl_).runner.add(phase, when, std::move(hook));
 }
-
 std::vector<UsedFeature> Simulation::features() const { return used_features(owned(impl_).state); }
 
 }  // namespace scarp

@@ -32,12 +32,6 @@ struct FieldInfo {
   enum class Numbers { real, int32, int64 } numbers = Numbers::real;
 };
 
-/// Wall time of one phase of the step, over all steps so far.
-struct PhaseTime {
-  std::string phase;
-  double seconds = 0.0;
-};
-
 /// Owns the particles of one scene. Not safe for concurrent use of one object; two objects are
 /// independent. Errors: SceneError from the constructor (nothing is left behind),
 /// SimulationInstability from `step()` (state stays readable), Stopped from both (from `step()`

@@ -2,6 +2,7 @@
 /// Walls of a run, and the phases that act on them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,8 +25,11 @@ struct Boundary {
   std::vector<bool> stands;
   std::vector<Vec3> velocity;    ///< now [m/s]
   std::vector<Vec3> hold_force;  ///< of the soil that faces held off in the last step (B4) [N]
-  double moved = 0.0;            ///< farthest since the lists were built [m]
-  Walls walls;                   ///< dummies of those that stand
+  /// Of the soil that there is most of: dummies take its density and stiffness. The momentum
+  /// equation sees neither, continuity and viscosity only slightly.
+  std::size_t material = 0;
+  double moved = 0.0;  ///< farthest since the lists were built [m]
+  Walls walls;         ///< dummies of those that stand
   MirrorImages images;
   std::uint64_t holds = 0;  ///< times a grain was held off a face
 };

@@ -2,21 +2,13 @@
 /// The walls' phase of a step: dummies into the records, velocity and stress from the soil.
 #include "engine/boundary/boundary.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "engine/state.hpp"
 
 namespace scarp {
 namespace {
 
-/// Dummies take density and stiffness of the scene's most common material: the momentum equation
-/// does not see either, continuity and viscosity only slightly.
 WallMaterial wall_material(const State& state) {
-  const auto& groups = state.particles.groups();
-  const auto most = std::max_element(
-      groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.count < b.count; });
-  const Material& material = state.scene.materials[most->material];
+  const Material& material = state.scene.materials[state.boundary.material];
   return {material.density, material.sound_speed(),
           state.particle_volume * state.scaling.gradient_factor,
           state.scaling.inverse_smoothing_length};

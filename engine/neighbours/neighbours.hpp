@@ -43,9 +43,8 @@ inline constexpr Phase pack_soil{"pack_soil", packed_fields | DataSet(Field::bui
                                  Part::records, scarp::pack_soil};
 inline constexpr Phase decide_rebuild{"decide_rebuild", {}, {}, scarp::decide_rebuild};
 inline constexpr Phase rebuild_lists{
-    "rebuild_lists", fields_that_live(Lifetime::state) | DataSet(Part::walls),
-    fields_that_live(Lifetime::state) | DataSet(Part::records, Part::lists, Part::walls),
-    scarp::rebuild_lists};
+    "rebuild_lists", state_fields | DataSet(Part::walls),
+    state_fields | DataSet(Part::records, Part::lists, Part::walls), scarp::rebuild_lists};
 inline constexpr Phase pack_images{
     "pack_images", {Part::records, Part::walls}, Part::records, scarp::pack_images};
 

@@ -30,13 +30,11 @@ double fastest_soil(const State& state);  ///< ... and its largest speed [m/s]
 
 namespace phases {
 
+inline constexpr DataSet reset_fields =
+    fields_where([](const FieldRow& field) { return field.reset == Reset::reset; });
 inline constexpr Phase enter_stage{
-    "enter_stage",
-    {Field::position, Field::velocity, Field::reference_position, Part::history, Field::stress_work,
-     Field::plastic_work, Field::diffusion_work, Part::walls},
-    {Field::velocity, Field::reference_position, Part::history, Field::stress_work,
-     Field::plastic_work, Field::diffusion_work, Part::records, Part::lists, Part::walls},
-    scarp::enter_stage};
+    "enter_stage", reset_fields | DataSet(Field::position, Part::walls),
+    reset_fields | DataSet(Part::records, Part::lists, Part::walls), scarp::enter_stage};
 inline constexpr Phase end_step{
     "end_step",
     {Field::position, Field::velocity, Field::reference_position, Part::walls},

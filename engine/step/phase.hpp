@@ -15,7 +15,7 @@ struct State;
 /// walls and their dummies do; the history variables that the soil models declare.
 enum class Part { records, lists, walls, history };
 
-/// A set of fields and parts. Names may be in it that a run does not store.
+/// A set of fields and parts. Fields may be in it that a run does not store.
 class DataSet {
  public:
   constexpr DataSet() = default;
@@ -47,14 +47,18 @@ class DataSet {
   std::uint64_t bits_ = 0;
 };
 
-/// Every field of that lifetime.
-constexpr DataSet fields_that_live(Lifetime lifetime) {
-  DataSet set;
+/// The fields of the table for which is(row) holds, and the history variables.
+template <class Is>
+constexpr DataSet fields_where(Is is) {
+  DataSet set(Part::history);
   for (const FieldRow& field : field_list) {
-    if (field.lifetime == lifetime) set = set | DataSet(field.field);
+    if (is(field)) set = set | DataSet(field.field);
   }
   return set;
 }
+/// What a sort carries along.
+inline constexpr DataSet state_fields =
+    fields_where([](const FieldRow& field) { return field.lifetime == Lifetime::state; });
 
 /// `reads` is what has to be current before the phase, of an engine with several parts on the
 /// ghosts too; `writes` is all that it may change. What a phase both keeps and changes is in both.

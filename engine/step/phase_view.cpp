@@ -14,10 +14,12 @@
 namespace scarp {
 namespace {
 
-std::vector<std::string> names(const DataSet& set) {
+bool is_stored(const FieldRow& field) { return field.lifetime != Lifetime::derived; }
+
+std::vector<std::string> names(const DataSet& set, const ParticleBuffers& particles) {
   std::vector<std::string> found;
-  for (const FieldRow& field : field_list) {
-    if (set.has(field.field)) found.emplace_back(field.name);
+  for (const FieldRow& field : particles.rows()) {
+    if (is_stored(field) && set.has(field.field)) found.emplace_back(field.name);
   }
   for (const auto& [part, name] :
        {std::pair{Part::records, "records"}, std::pair{Part::lists, "lists"},
@@ -30,8 +32,8 @@ std::vector<std::string> names(const DataSet& set) {
 /// The row of a field that the run stores, and in it the component.
 const FieldRow& stored(const ParticleBuffers& particles, std::string_view name, int component) {
   std::vector<std::string_view> known;
-  for (const FieldRow& field : field_list) {
-    if (!particles.has(field.field)) continue;
+  for (const FieldRow& field : particles.rows()) {
+    if (!is_stored(field)) continue;
     if (name != field.name) {
       known.emplace_back(field.name);
       continue;
@@ -43,14 +45,14 @@ const FieldRow& stored(const ParticleBuffers& particles, std::string_view name, 
     }
     return field;
   }
-  throw Error(
-      fmt::format("no field '{}' in this run; there are {}.", name, fmt::join(known, ", ")));
+  throw Error(fmt::format("no field '{}' is stored in this run; there are {}.", name,
+                          fmt::join(known, ", ")));
 }
 
 }  // namespace
 
-PhaseInfo describe(const Phase& phase) {
-  return {phase.name, names(phase.reads), names(phase.writes)};
+PhaseInfo describe(const Phase& phase, const ParticleBuffers& particles) {
+  return {phase.name, names(phase.reads, particles), names(phase.writes, particles)};
 }
 
 std::string_view PhaseView::phase() const { return phase_.name; }
@@ -75,10 +77,11 @@ std::span<double> PhaseView::write(std::string_view field, int component) {
   const bool before = when_ == When::before;
   const DataSet& touched = before ? phase_.reads : phase_.writes;
   if (!touched.has(row.field)) {
+    const std::vector<std::string> known = names(touched, state_.particles);
     throw Error(fmt::format(
-        "field '{}' may not be changed {} phase '{}', which does not {} it; of fields it {} {}.",
-        field, before ? "before" : "after", phase_.name, before ? "read" : "write",
-        before ? "reads" : "writes", fmt::join(names(touched), ", ")));
+        "field '{}' may not be changed {} phase '{}', which does not {} it. {}", field,
+        before ? "before" : "after", phase_.name, before ? "read" : "write",
+        known.empty() ? "Try another phase." : fmt::format("Try {}.", fmt::join(known, ", "))));
   }
   return {state_.particles.component(row.field, component),
           static_cast<std::size_t>(state_.particles.slots())};

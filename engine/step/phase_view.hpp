@@ -12,18 +12,25 @@
 namespace scarp {
 
 struct Phase;
+class ParticleBuffers;
 struct State;
 
 /// Whether a hook is called before its phase or after it.
 enum class When { before, after };
 
-/// A phase by its name, with the names of the fields that it reads and writes; besides fields also
+/// A phase by its name, with the names of those fields of the run that it reads and writes, and
 /// "records" (what the sweeps read, packed), "lists" (cells and neighbour lists) and "walls".
 struct PhaseInfo {
   std::string name;
   std::vector<std::string> reads, writes;
 };
-PhaseInfo describe(const Phase& phase);
+PhaseInfo describe(const Phase& phase, const ParticleBuffers& particles);
+
+/// Wall time of one phase of the step, over all steps so far.
+struct PhaseTime {
+  std::string phase;
+  double seconds = 0.0;
+};
 
 /// The particles as a hook finds them, in the order of memory: SI, one array for each component.
 /// Nothing is copied. Valid within the call only: particles are put in another order now and then.

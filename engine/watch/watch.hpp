@@ -50,10 +50,13 @@ void watch_walls(const State& state);
 
 namespace phases {
 
+inline constexpr DataSet looked_at =
+    fields_where([](const FieldRow& field) { return field.check == Check::each_look; });
 inline constexpr Phase watch{
     "watch",
-    {Field::position, Field::velocity, Field::density, Field::stress, Field::reference_position,
-     Field::stress_work, Field::plastic_work, Field::diffusion_work},
+    looked_at | DataSet(Field::position, Field::velocity, Field::density, Field::stress,
+                        Field::reference_position, Field::stress_work, Field::plastic_work,
+                        Field::diffusion_work),
     {},
     scarp::watch};
 

@@ -106,6 +106,49 @@ def check_directions(tree):
                     yield f"{file}: includes {include}, but the library knows nothing of the command line"
 
 
+# The floors of engine/: a header includes headers of its own floor's entry and of the floors below. Phases are
+# functions of the whole state, so that a source may include state.hpp and the headers of other phases; but none
+# below the facade includes what stands on it.
+FLOORS = (
+    ("errors.",),
+    ("stop.", "machine.", "parallel.", "plain_text.", "team."),
+    ("scene/",),
+    ("particles/",),
+    ("cells/", "step/"),
+    ("neighbours/", "sweep/"),
+    ("boundary/",),
+    ("integrate/", "energy/", "stages/", "watch/", "features.", "run_options."),
+    ("state.",),
+    ("setup.", "checkpoint/", "integrate/stress_phase."),
+    ("simulation.",),
+)
+ABOVE = ("watch/stability_margin.",)  # a study of whole runs
+
+
+def floor_of(file):
+    """(number of the floor, its entry) of a file of engine/; what is not named stands above all floors."""
+    name = file.removeprefix("engine/")
+    entries = [(len(entry), number, entry) for number, floor in enumerate(FLOORS) for entry in floor
+               if name.startswith(entry)]
+    if not entries or name.startswith(ABOVE):
+        return len(FLOORS), name.split("/")[0]
+    return max(entries)[1:]
+
+
+def check_floors(tree):
+    facade = floor_of("engine/simulation.hpp")[0]
+    for file in tree.in_folder("engine/"):
+        number, entry = floor_of(file)
+        for _, include in tree.includes[file]:
+            if not include.startswith("engine/") or number > facade:
+                continue
+            other, other_entry = floor_of(include)
+            if file.endswith(".hpp") and other >= number and other_entry != entry:
+                yield f"{file}: a header of {entry} must not include {include} (FLOORS in check_layering.py)"
+            elif number < facade <= other:
+                yield f"{file}: includes {include}, which stands on the state that it is part of"
+
+
 def check_spelling(tree):
     for file in tree.text:
         if file.startswith("tests/embed/"):
@@ -181,7 +224,7 @@ def check_equations(tree):
             yield f"{file}: equation {identifier} is not in kernels/EQUATIONS.md"
 
 
-CHECKS = (check_third_party, check_directions, check_spelling, check_public_headers, check_kernels,
+CHECKS = (check_third_party, check_directions, check_floors, check_spelling, check_public_headers, check_kernels,
           check_machine_flags, check_equations)
 
 

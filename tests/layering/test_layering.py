@@ -19,7 +19,12 @@ CLEAN = {
     "engine/simulation.hpp": "#include <vector>\n// #include <Eigen/Dense> and omp in a comment",
     "engine/parallel.hpp": "#include <omp.h>\n#pragma omp parallel",
     "engine/cells.cpp": '#include "kernels/simd.hpp"\n#include "engine/parallel.hpp"',
-    "engine/output/frames.cpp": "#include <hdf5.h>",
+    "engine/output/frames.cpp": '#include <hdf5.h>\n#include "engine/simulation.hpp"',
+    "engine/state.hpp": '#include "engine/watch/watch.hpp"',
+    "engine/watch/watch.hpp": '#include "engine/scene/scene.hpp"\n#include "engine/watch/lost.hpp"',
+    "engine/watch/watch.cpp": '#include "engine/state.hpp"',
+    "engine/watch/lost.hpp": "",
+    "engine/scene/scene.hpp": "",
     "kernels/sweep_reference.cpp": "#include <Eigen/Dense>\n#include <vector>",
 }
 BROKEN = {
@@ -34,6 +39,13 @@ BROKEN = {
     "kernel includes a reference": {"kernels/a.hpp": '#include "kernels/sweep_reference.cpp"'},
     "engine includes validation": {"engine/a.cpp": '#include "validation/a.hpp"', "validation/a.hpp": ""},
     "library includes cli": {"engine/a.cpp": '#include "engine/cli/a.hpp"', "engine/cli/a.hpp": ""},
+    "header of a lower floor includes a higher one": {
+        "engine/cells/a.hpp": '#include "engine/sweep/a.hpp"', "engine/sweep/a.hpp": ""},
+    "header of the same floor, another folder": {
+        "engine/cells/a.hpp": '#include "engine/step/a.hpp"', "engine/step/a.hpp": ""},
+    "header of a phase includes the state": {
+        "engine/watch/a.hpp": '#include "engine/state.hpp"', "engine/state.hpp": ""},
+    "phase includes the facade": {"engine/watch/a.cpp": '#include "engine/simulation.hpp"'},
     "CLI11 in the library": {"engine/a.cpp": "#include <CLI/CLI.hpp>"},
     "include by relative path": {"engine/a.cpp": '#include "simulation.hpp"'},
     "public header with TOML": {"engine/simulation.hpp": "#include <toml++/toml.h>"},

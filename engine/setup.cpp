@@ -289,6 +289,7 @@ State make_state(Scene scene, const RunOptions& options) {
   set_pair_constants(state);
   const SoilPoints soil = generate_soil(state.scene, state.options.stop);
   check_wall_clearance(state.scene, soil, state.options.stop);
+  state.boundary.surface = WallSurface(state.scene);
   state.boundary.dummies = generate_dummies(state.scene, state.options.stop);
   state.boundary.offset.assign(state.scene.walls.size(), Vec3{});
   state.boundary.stands.assign(state.scene.walls.size(), true);

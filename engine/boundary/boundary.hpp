@@ -9,6 +9,7 @@
 #include "engine/boundary/dummies.hpp"
 #include "engine/boundary/mirror_images.hpp"
 #include "engine/boundary/wall_reaction.hpp"
+#include "engine/boundary/wall_surface.hpp"
 #include "engine/boundary/walls.hpp"
 #include "engine/step/phase.hpp"
 
@@ -18,6 +19,7 @@ struct State;
 
 /// One entry for each wall of the scene where nothing else is said.
 struct Boundary {
+  WallSurface surface;              ///< of every wall, as the scene draws it
   WallDummies dummies;              ///< of every wall, as generated
   std::vector<Vec3> offset;         ///< how far each wall has moved [m]
   std::vector<Vec3> placed_offset;  ///< when `walls` was made [m]

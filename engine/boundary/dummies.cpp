@@ -12,8 +12,8 @@
 
 #include "engine/boundary/face_grid.hpp"
 #include "engine/boundary/facet_geometry.hpp"
-#include "engine/boundary/facet_index.hpp"
 #include "engine/boundary/near_test.hpp"
+#include "engine/boundary/wall_surface.hpp"
 #include "engine/errors.hpp"
 #include "engine/particles/particle_limit.hpp"
 #include "engine/stop.hpp"
@@ -27,6 +27,7 @@ namespace {
 /// A facet; behind a no-slip one a grid of sites.
 struct Face {
   Facet facet;
+  std::uint32_t number = 0;  ///< in the surface
   std::size_t wall = 0;
   bool no_slip = true;
   bool lasting = true;  ///< neither moves nor goes
@@ -44,26 +45,19 @@ class DummyLayout {
         closest_(0.25 * scene.spacing - tolerance_),
         layers_(wall_layers(scene)),
         thickness_(reach_.thickness),
+        farthest_(std::sqrt(static_cast<double>(dimension_)) * (thickness_ + spacing_)),
         placed_(0.5 * spacing_ * (1.0 - 1e-6)),
-        most_(most_particles(scene)) {
+        most_(most_particles(scene)),
+        surface_(scene) {
     double sites = 0.0;
-    for (std::size_t w = 0; w < scene.walls.size(); ++w) {
-      for (const Facet& facet : scene.walls[w].facets) add_face(w, facet, sites);
-    }
+    for (std::uint32_t k = 0; k < surface_.faces().size(); ++k) add_face(k, sites);
     std::stable_partition(faces_.begin(), faces_.end(), [](const Face& f) { return f.lasting; });
-    std::vector<Facet> facets;
-    std::vector<const Wall*> walls;
-    for (const Face& face : faces_) {
-      facets.push_back(face.facet);
-      walls.push_back(&scene.walls[face.wall]);
-    }
-    // The farthest a face is asked about: a place beyond its corner and beyond its layers.
-    index_ =
-        FacetIndex(facets, std::sqrt(static_cast<double>(dimension_)) * (thickness_ + spacing_));
-    for (std::size_t k = 0; k < faces_.size(); ++k) {
-      if (!faces_[k].no_slip) continue;
-      const WalledPart part = walled_part(k, facets, walls, index_, dimension_, spacing_);
-      faces_[k].grid = FaceGrid(facets[k], part, dimension_, spacing_, layers_);
+    rank_.resize(faces_.size());
+    for (std::size_t k = 0; k < faces_.size(); ++k) rank_[faces_[k].number] = k;
+    for (Face& face : faces_) {
+      if (!face.no_slip) continue;
+      const WalledPart part = walled_part(face.number, surface_, scene, spacing_);
+      face.grid = FaceGrid(face.facet, part, dimension_, spacing_, layers_);
     }
   }
 
@@ -81,10 +75,12 @@ class DummyLayout {
   }
 
  private:
-  void add_face(std::size_t wall, const Facet& facet, double& sites) {
+  void add_face(std::uint32_t number, double& sites) {
     const Scene& scene = scene_;
+    const auto& [facet, wall] = surface_.faces()[number];
     Face face;
     face.facet = facet;
+    face.number = number;
     face.wall = wall;
     face.no_slip = scene.walls[wall].kind == WallKind::no_slip;
     face.lasting = scene.walls[wall].velocity == Vec3{} && scene.walls[wall].removed_at.empty();
@@ -164,21 +160,25 @@ class DummyLayout {
   }
   /// By a free-slip face that goes, or that moves against the site's own.
   bool may_be_closed(const Wall& own, const Vec3& point, const Vec3& outward) const {
-    return std::any_of(faces_.begin(), faces_.end(), [&](const Face& other) {
-      const Wall& wall = scene_.walls[other.wall];
-      return !other.no_slip && !stay_together(own, wall) &&
-             CornerReach::faces_back(other.facet, outward) &&
-             may_come_near(scene_, reach_, point, own, wall, other.facet);
+    const auto in_the_way = [&](std::size_t wall) {
+      return [box = way_between(scene_, reach_, point, own, scene_.walls[wall])](
+                 const AxisBox& faces) { return faces.meets(box); };
+    };
+    const auto found = surface_.find(in_the_way, search_);
+    return std::any_of(found.begin(), found.end(), [&](std::uint32_t k) {
+      const Wall& wall = scene_.walls[surface_.wall_of(k)];
+      return wall.kind == WallKind::free_slip && !stay_together(own, wall) &&
+             CornerReach::faces_back(surface_.facet(k), outward);
     });
   }
 
   /// Other faces near a point, in the order of `faces_`.
   void look_around(const Face& face, const Vec3& point) {
-    index_.near(point, found_);
     near_.clear();
-    for (const std::uint32_t k : found_) {
-      if (&faces_[k] != &face) near_.push_back(&faces_[k]);
+    for (const std::uint32_t k : surface_.near(point, farthest_, search_)) {
+      if (k != face.number) near_.push_back(&faces_[rank_[k]]);
     }
+    std::sort(near_.begin(), near_.end());
   }
 
   void offer(Face& face, const Site& site) {
@@ -235,11 +235,12 @@ class DummyLayout {
     NearTest placed(0.75 * spacing_);  // joints of facets shift the columns by up to half a spacing
     for (const std::size_t k : near_ends_) placed.put(out_.position[k], k);
     const auto is_behind_smooth = [&](const Vec3& point) {
-      index_.near(point, found_);
-      return std::any_of(found_.begin(), found_.end(), [&](std::uint32_t k) {
-        if (faces_[k].no_slip) return false;
-        const FacetCoordinates at = coordinates(faces_[k].facet, dimension_, point);
-        return at.depth > 0.0 && at.depth <= thickness_ && at.above(faces_[k].facet, tolerance_);
+      const auto found = surface_.near(point, farthest_, search_);
+      return std::any_of(found.begin(), found.end(), [&](std::uint32_t k) {
+        if (scene_.walls[surface_.wall_of(k)].kind == WallKind::no_slip) return false;
+        const Facet& facet = surface_.facet(k);
+        const FacetCoordinates at = coordinates(facet, dimension_, point);
+        return at.depth > 0.0 && at.depth <= thickness_ && at.above(facet, tolerance_);
       });
     };
     const auto ends = [&](std::size_t k, const Vec3& tangent) {
@@ -265,12 +266,14 @@ class DummyLayout {
   double closest_;  ///< to another face that a site may be behind
   std::int64_t layers_;
   double thickness_;
+  double farthest_;  ///< that a face is asked about: beyond its corner and beyond its layers
   NearTest placed_;
   double most_;  ///< sites that fit into memory
-  std::vector<Face> faces_;
-  FacetIndex index_;
-  std::vector<std::uint32_t> found_;  ///< scratch
-  std::vector<const Face*> near_;     ///< the other faces near the site in question
+  WallSurface surface_;
+  std::vector<Face> faces_;         ///< those of walls that neither move nor go come first
+  std::vector<std::size_t> rank_;   ///< in `faces_`, by number in the surface
+  mutable FacetSearch search_;      ///< scratch
+  std::vector<const Face*> near_;   ///< the other faces near the site in question
   WallDummies out_;
   std::vector<std::size_t> near_ends_;  ///< dummies that `mark_edges` may meet
   std::vector<const Facet*> rim_;       ///< facet whose rim each of out_ is above, if any

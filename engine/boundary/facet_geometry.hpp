@@ -32,6 +32,11 @@ struct FacetCoordinates {
     return u >= -margin && u <= facet.length_u + margin && v >= -margin &&
            v <= facet.length_v + margin;
   }
+  /// The nearest point of the facet.
+  Vec3 foot(const Facet& facet) const {
+    return plus(plus(facet.origin, std::clamp(u, 0.0, facet.length_u), facet.tangent_u),
+                std::clamp(v, 0.0, facet.length_v), facet.tangent_v);
+  }
   /// To the nearest point of the facet [m].
   double distance(const Facet& facet) const {
     return std::hypot(u - std::clamp(u, 0.0, facet.length_u),
@@ -51,6 +56,18 @@ inline FacetCoordinates coordinates(const Facet& facet, int dimension, const Vec
   const Vec3 offset = minus(point, facet.origin);
   return {dot(offset, facet.tangent_u), dimension == 3 ? dot(offset, facet.tangent_v) : 0.0,
           -dot(offset, facet.normal)};
+}
+
+/// Whether the straight way from `before` to `now` passes the plane `depth` behind the facet from
+/// its front, inside its footprint.
+inline bool goes_in(const Facet& facet, int dimension, const Vec3& before, const Vec3& now,
+                    double depth) {
+  const double end = coordinates(facet, dimension, now).depth;
+  if (!(end > depth)) return false;
+  const double start = coordinates(facet, dimension, before).depth;
+  if (start > depth) return false;
+  const Vec3 crossing = plus(before, (depth - start) / (end - start), minus(now, before));
+  return coordinates(facet, dimension, crossing).above(facet, 0.0);
 }
 
 /// Whether the straight way from `foot` to `point` leaves the wall through this facet, from its

@@ -2,9 +2,8 @@
 /// Tree of boxes around facets.
 #include "engine/boundary/facet_index.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 
 #include "engine/boundary/facet_geometry.hpp"
@@ -19,26 +18,56 @@ constexpr std::uint32_t leaf_size = 4;
 
 }  // namespace
 
-FacetIndex::Box FacetIndex::box_of(const Facet& facet, double margin) {
-  const Vec3 u = plus({}, facet.length_u, facet.tangent_u),
-             v = plus({}, facet.length_v, facet.tangent_v);
-  Box box;
+AxisBox AxisBox::widened(double margin) const {
+  AxisBox box = *this;
   for (std::size_t a = 0; a < 3; ++a) {
-    box.low[a] = facet.origin[a] + std::min(u[a], 0.0) + std::min(v[a], 0.0) - margin;
-    box.high[a] = facet.origin[a] + std::max(u[a], 0.0) + std::max(v[a], 0.0) + margin;
+    box.low[a] -= margin;
+    box.high[a] += margin;
   }
   return box;
 }
 
-FacetIndex::FacetIndex(std::span<const Facet> facets, double reach) {
-  for (const Facet& facet : facets) boxes_.push_back(box_of(facet, reach));
+void AxisBox::take_in(const Vec3& point) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    low[a] = std::min(low[a], point[a]);
+    high[a] = std::max(high[a], point[a]);
+  }
+}
+
+AxisBox AxisBox::nothing() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+}
+
+AxisBox AxisBox::around(const Vec3& one, const Vec3& other) {
+  AxisBox box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    box.low[a] = std::min(one[a], other[a]);
+    box.high[a] = std::max(one[a], other[a]);
+  }
+  return box;
+}
+
+AxisBox AxisBox::around(const Facet& facet) {
+  const Vec3 u = plus({}, facet.length_u, facet.tangent_u),
+             v = plus({}, facet.length_v, facet.tangent_v);
+  AxisBox box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    box.low[a] = facet.origin[a] + std::min(u[a], 0.0) + std::min(v[a], 0.0);
+    box.high[a] = facet.origin[a] + std::max(u[a], 0.0) + std::max(v[a], 0.0);
+  }
+  return box;
+}
+
+FacetIndex::FacetIndex(std::span<const Facet> facets) {
+  for (const Facet& facet : facets) boxes_.push_back(AxisBox::around(facet));
   order_.resize(boxes_.size());
   std::iota(order_.begin(), order_.end(), 0U);
   if (!order_.empty()) split(0, static_cast<std::uint32_t>(order_.size()));
 }
 
 void FacetIndex::split(std::uint32_t begin, std::uint32_t end) {
-  Box around = boxes_[order_[begin]], centres = around;
+  AxisBox around = boxes_[order_[begin]], centres = around;
   const auto centre = [this](std::uint32_t facet, std::size_t a) {
     return boxes_[facet].low[a] + boxes_[facet].high[a];
   };
@@ -66,40 +95,6 @@ void FacetIndex::split(std::uint32_t begin, std::uint32_t end) {
   split(begin, middle);
   nodes_[node].right = static_cast<std::uint32_t>(nodes_.size());
   split(middle, end);
-}
-
-void FacetIndex::near(const Vec3& point, std::vector<std::uint32_t>& found) const {
-  find({point, point}, found);
-}
-void FacetIndex::near(const Facet& facet, std::vector<std::uint32_t>& found) const {
-  find(box_of(facet, 0.0), found);
-}
-
-void FacetIndex::find(const Box& asked, std::vector<std::uint32_t>& found) const {
-  found.clear();
-  if (nodes_.empty()) return;
-  const auto holds = [&asked](const Box& box) {
-    bool meets = true;
-    for (std::size_t a = 0; a < 3; ++a)
-      meets = meets && asked.high[a] >= box.low[a] && asked.low[a] <= box.high[a];
-    return meets;
-  };
-  std::array<std::uint32_t, 64> waiting{};  // halves of halves of fewer than 2^32 facets
-  std::size_t count = 1;
-  while (count > 0) {
-    const std::uint32_t index = waiting[--count];
-    const Node& node = nodes_[index];
-    if (!holds(node.box)) continue;
-    if (node.right != 0) {
-      waiting[count++] = node.right;
-      waiting[count++] = index + 1;
-      continue;
-    }
-    for (std::uint32_t k = node.begin; k < node.end; ++k) {
-      if (holds(boxes_[order_[k]])) found.push_back(order_[k]);
-    }
-  }
-  std::sort(found.begin(), found.end());
 }
 
 }  // namespace scarp

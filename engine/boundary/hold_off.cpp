@@ -66,29 +66,30 @@ void hold_off_faces(State& state) {
     position[static_cast<std::size_t>(a)] = state.particles.component(Field::position, a);
     velocity[static_cast<std::size_t>(a)] = state.particles.component(Field::velocity, a);
   }
-  const auto hold = [&](std::int64_t k, double mass, Holds& holds) {
+  const WallPlacement placement{state.boundary.stands, state.boundary.offset};
+  const double reach = std::max(nearest, -deepest) * spacing * (1.0 + 1e-6);
+  const auto hold = [&](std::int64_t k, double mass, Holds& holds, FacetSearch& search) {
     Vec3 x{}, v{};
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
       x[a] = position[a][k];
       v[a] = velocity[a][k];
     }
+    const auto near = state.boundary.surface.near(x, reach, placement, search);
     bool held = false;
     int faces = 2;
     for (int pass = 0; pass < most_passes && faces > 1; ++pass) {
       faces = 0;
-      for (std::size_t w = 0; w < walls; ++w) {
-        if (!state.boundary.stands[w]) continue;
-        const Vec3 from_wall = minus(x, state.boundary.offset[w]);
-        for (const Facet& facet : state.scene.walls[w].facets) {
-          const FacetCoordinates at = coordinates(facet, dimension, from_wall);
-          if (at.depth < -nearest * spacing || at.depth > -deepest * spacing) continue;
-          const double approach = -dot(minus(v, state.boundary.velocity[w]), facet.normal);
-          if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
-          v = plus(v, approach, facet.normal);
-          held = true;
-          holds.add(w, walls, plus({}, -mass * approach, facet.normal));
-          ++faces;
-        }
+      for (const std::uint32_t face : near) {
+        const auto& [facet, w] = state.boundary.surface.faces()[face];
+        const FacetCoordinates at =
+            coordinates(facet, dimension, minus(x, state.boundary.offset[w]));
+        if (at.depth < -nearest * spacing || at.depth > -deepest * spacing) continue;
+        const double approach = -dot(minus(v, state.boundary.velocity[w]), facet.normal);
+        if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
+        v = plus(v, approach, facet.normal);
+        held = true;
+        holds.add(w, walls, plus({}, -mass * approach, facet.normal));
+        ++faces;
       }
     }
     for (std::size_t a = 0; held && a < static_cast<std::size_t>(dimension); ++a)
@@ -97,13 +98,14 @@ void hold_off_faces(State& state) {
   };
   const auto run = [&](std::int64_t begin, std::int64_t end) {
     Holds holds;
+    FacetSearch search;
     for (std::int64_t cluster = begin; cluster < end; ++cluster) {
       const bool has_dummies = lists.wall_begin[cluster] != lists.soil_begin[cluster + 1];
       if (!has_dummies && !state.boundary.images.is_close(cluster * size, size)) continue;
       const ParticleGroup& group = state.particles.group_of(cluster * size);
       const double mass = state.scaling.mass[group.material];
       const std::int64_t last = std::min((cluster + 1) * size, group.end());
-      for (std::int64_t k = cluster * size; k < last; ++k) hold(k, mass, holds);
+      for (std::int64_t k = cluster * size; k < last; ++k) hold(k, mass, holds, search);
     }
     return holds;
   };

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "kernels/tensor.hpp"
@@ -56,53 +55,39 @@ bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
 
 }  // namespace
 
-void MirrorImages::take_facets(const Scene& scene, double reach) {
+/// Puts a point down for every face it is near, if that comes after `after`.
+void MirrorImages::ask_faces(const Scene& scene, const WallSurface& surface,
+                             const WallPlacement& walls, const Vec3& point, const Source& source,
+                             std::int64_t after, double reach) {
   // An image may be beyond an edge by the reach, and behind the face by as much.
-  const double margin = std::sqrt(2.0) * reach;
-  if (!faces_.empty() && margin <= index_margin_) return;
-  index_margin_ = margin;
-  faces_.clear();
-  wall_index_.clear();
-  for (std::size_t w = 0; w < scene.walls.size(); ++w) {
-    const Wall& wall = scene.walls[w];
-    if (wall.kind != WallKind::free_slip) continue;
-    wall_index_.push_back({w, faces_.size(), FacetIndex(wall.facets, margin)});
-    for (const Facet& facet : wall.facets) faces_.push_back({w, facet, {}});
+  for (const std::uint32_t face : surface.near(point, std::sqrt(2.0) * reach, walls, search_)) {
+    const bool smooth = scene.walls[surface.wall_of(face)].kind == WallKind::free_slip;
+    if (smooth && static_cast<std::int64_t>(face) > after) asked_[face].push_back(source);
   }
 }
 
-/// Puts a point down for every standing face it is near, if that comes after `after`.
-void MirrorImages::ask_faces(const Vec3& point, const Source& source, std::int64_t after,
-                             const std::vector<bool>& stands,
-                             const std::vector<Vec3>& wall_offset) {
-  for (const WallIndex& wall : wall_index_) {
-    if (!stands[wall.wall]) continue;
-    wall.index.near(geometry::minus(point, wall_offset[wall.wall]), near_);
-    for (const std::uint32_t k : near_) {
-      const std::size_t face = wall.first_face + k;
-      if (static_cast<std::int64_t>(face) > after) faces_[face].asked.push_back(source);
-    }
-  }
-}
-
-void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
-                          const std::vector<Vec3>& wall_offset, const PointSpan& soil,
+void MirrorImages::select(const Scene& scene, const WallSurface& surface,
+                          const WallPlacement& walls, const PointSpan& soil,
                           std::span<const SlotRange> ranges, std::span<const double> k0,
                           double reach, double close) {
   images_.clear();
   close_.clear();
   for (auto& axis : position_) axis.clear();
-  take_facets(scene, reach);
+  const bool any_smooth = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
+    return wall.kind == WallKind::free_slip;
+  });
+  if (!any_smooth) return;
   const auto soil_point = [&soil](std::int64_t k) {
     return Vec3{soil.x[k], soil.y[k], soil.z != nullptr ? soil.z[k] : 0.0};
   };
-  for (std::size_t r = 0; r < ranges.size() && !faces_.empty(); ++r) {
+  for (std::size_t r = 0; r < ranges.size(); ++r) {
     for (std::int64_t k = ranges[r].begin; k < ranges[r].end; ++k)
-      ask_faces(soil_point(k), {k, k0[r]}, -1, stands, wall_offset);
+      ask_faces(scene, surface, walls, soil_point(k), {k, k0[r]}, -1, reach);
   }
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const auto [w, facet, asked] = std::exchange(faces_[f], {faces_[f].wall, faces_[f].facet, {}});
-    for (const Source& source : asked) {
+  while (!asked_.empty()) {
+    const auto first = asked_.extract(asked_.begin());
+    const auto& [facet, w] = surface.faces()[first.key()];
+    for (const Source& source : first.mapped()) {
       const bool is_image = source.slot < 0;
       const auto image = static_cast<std::size_t>(-1 - source.slot);
       // An image straight behind this very plane is no neighbour of it; those of other planes are.
@@ -110,7 +95,7 @@ void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
       const Vec3 x = is_image ? Vec3{position_[0][image], position_[1][image], position_[2][image]}
                               : soil_point(source.slot);
       Vec3 from;
-      for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - wall_offset[w][a];
+      for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - walls.offset[w][a];
       const double distance = dot(from, facet.normal);
       // Soil that has come a little behind the face keeps its image, which pushes it back.
       if (distance > reach || distance < -0.125 * reach ||
@@ -127,8 +112,7 @@ void MirrorImages::select(const Scene& scene, const std::vector<bool>& stands,
         place[a] = x[a] - 2.0 * distance * facet.normal[a];
         position_[a].push_back(place[a]);
       }
-      ask_faces(place, {-1 - made, source.lateral}, static_cast<std::int64_t>(f), stands,
-                wall_offset);
+      ask_faces(scene, surface, walls, place, {-1 - made, source.lateral}, first.key(), reach);
     }
   }
 }

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
-#include "engine/boundary/facet_index.hpp"
+#include "engine/boundary/wall_surface.hpp"
 #include "engine/cells/cell_grid.hpp"
 #include "engine/particles/aligned_vector.hpp"
 #include "engine/scene/scene.hpp"
@@ -24,10 +25,9 @@ class MirrorImages {
   /// Soil within `reach` in front of a standing free-slip facet and inside its footprint, then the
   /// images of images across the facets that follow. `k0` has a value for each range. Soil within
   /// `close` of such a facet is kept in mind.
-  void select(const Scene& scene, const std::vector<bool>& stands,
-              const std::vector<Vec3>& wall_offset, const PointSpan& soil,
-              std::span<const SlotRange> ranges, std::span<const double> k0, double reach,
-              double close);
+  void select(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,
+              const PointSpan& soil, std::span<const SlotRange> ranges, std::span<const double> k0,
+              double reach, double close);
 
   std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
   PointSpan points() const {
@@ -60,23 +60,11 @@ class MirrorImages {
     std::int64_t slot;
     double lateral;
   };
-  struct Face {
-    std::size_t wall;
-    Facet facet;
-    std::vector<Source> asked;  ///< empty between selections
-  };
-  struct WallIndex {
-    std::size_t wall, first_face;
-    FacetIndex index;  ///< of the facets before the wall moved
-  };
-  void take_facets(const Scene& scene, double reach);
-  void ask_faces(const Vec3& point, const Source& source, std::int64_t after,
-                 const std::vector<bool>& stands, const std::vector<Vec3>& wall_offset);
+  void ask_faces(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,
+                 const Vec3& point, const Source& source, std::int64_t after, double reach);
 
-  std::vector<Face> faces_;  ///< of all free-slip walls, in the order of the scene
-  std::vector<WallIndex> wall_index_;
-  double index_margin_ = 0.0;
-  std::vector<std::uint32_t> near_;  ///< scratch
+  std::map<std::uint32_t, std::vector<Source>> asked_;  ///< by face; empty between selections
+  FacetSearch search_;                                  ///< scratch
   std::vector<Image> images_;
   AlignedVector<double> position_[3];
   std::vector<std::uint8_t> close_;  ///< by soil slot; empty: none

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/boundary/wall_surface.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace scarp {
@@ -25,19 +26,20 @@ struct CornerReach {
   double tolerance = 0.0;  ///< [m]
 
   bool is_near(const Facet& facet, const Vec3& point) const;
+  double farthest() const;  ///< distance of a facet that is near [m]
   static bool faces_back(const Facet& facet, const Vec3& outward);
 };
 CornerReach corner_reach(const Scene& scene);
 
-/// Whether free-slip walls that stand, displaced by `offset`, close the corner for a dummy at
-/// `point`.
-bool stands_in_corner(const Scene& scene, const CornerReach& reach, const SmoothCorner& corner,
-                      const Vec3& point, const std::vector<bool>& stands,
-                      const std::vector<Vec3>& offset);
+/// Whether free-slip walls that stand close the corner for a dummy at `point`.
+bool stands_in_corner(const Scene& scene, const WallSurface& surface, const CornerReach& reach,
+                      const SmoothCorner& corner, const Vec3& point, const WallPlacement& walls,
+                      FacetSearch& search);
 
-/// Whether a point that moves with one wall may be near a facet of another during the run.
-bool may_come_near(const Scene& scene, const CornerReach& reach, const Vec3& point, const Wall& own,
-                   const Wall& other, const Facet& facet);
+/// Where, as the scene draws it, a facet of another wall may be that comes near a point of this one
+/// during the run.
+AxisBox way_between(const Scene& scene, const CornerReach& reach, const Vec3& point,
+                    const Wall& own, const Wall& other);
 
 /// Whether two walls stay as they are to each other for as long as `own` stands.
 bool stay_together(const Wall& own, const Wall& other);

@@ -10,7 +10,7 @@
 
 #include "engine/boundary/dummies.hpp"
 #include "engine/boundary/facet_geometry.hpp"
-#include "engine/boundary/facet_index.hpp"
+#include "engine/boundary/wall_surface.hpp"
 #include "engine/errors.hpp"
 #include "engine/particles/shapes.hpp"
 #include "engine/stop.hpp"
@@ -20,19 +20,6 @@ namespace scarp {
 using namespace geometry;
 
 namespace {
-
-/// Every facet of the scene in order, and the wall it is a part of.
-struct Faces {
-  std::vector<Facet> facets;
-  std::vector<const Wall*> walls;
-
-  explicit Faces(const Scene& scene) {
-    for (const Wall& wall : scene.walls) {
-      facets.insert(facets.end(), wall.facets.begin(), wall.facets.end());
-      walls.resize(facets.size(), &wall);
-    }
-  }
-};
 
 /// Whether soil lies in front of the facet too, as near to it as what is seen through a wall.
 bool soil_in_front(const Facet& facet, int dimension, const SoilPoints& soil, double thickness) {
@@ -61,22 +48,21 @@ void check_wall_clearance(const Scene& scene, const SoilPoints& soil,
                           const std::function<bool()>& stop) {
   const double tolerance = 1e-6 * scene.spacing;
   const double thickness = wall_layers(scene) * scene.spacing;
-  const Faces faces(scene);
-  const FacetIndex index(faces.facets, thickness);
-  std::vector<std::uint32_t> near;
-  std::size_t first = faces.facets.size();
+  const WallSurface surface(scene);
+  FacetSearch search;
+  std::size_t first = surface.faces().size();
   Vec3 inside{};
   for (const Vec3& point : soil.position) {
     stop_if_asked(stop);
-    index.near(point, near);
+    const auto near = surface.near(point, thickness, search);
     const auto is_inside = [&](std::uint32_t k) {
-      const Facet& facet = faces.facets[k];
+      const Facet& facet = surface.facet(k);
       const FacetCoordinates at = coordinates(facet, scene.dimension, point);
       if (at.depth <= tolerance || at.depth > thickness || !at.above(facet, 0.0)) return false;
       const Vec3 foot = plus(point, at.depth, facet.normal);
       return std::none_of(near.begin(), near.end(), [&](std::uint32_t other) {
         return other != k &&
-               comes_out(faces.facets[other], scene.dimension, foot, point, tolerance);
+               comes_out(surface.facet(other), scene.dimension, foot, point, tolerance);
       });
     };
     const auto found = std::find_if(near.begin(), near.end(), is_inside);
@@ -84,13 +70,13 @@ void check_wall_clearance(const Scene& scene, const SoilPoints& soil,
     first = *found;
     inside = point;
   }
-  if (first == faces.facets.size()) return;
-  const Wall& wall = *faces.walls[first];
-  throw SceneError(fmt::format("{}'{}': the soil particle at {} lies {:.3g} m behind it. {}",
-                               message_start(scene, wall), wall.name,
-                               point_text(inside, scene.dimension),
-                               coordinates(faces.facets[first], scene.dimension, inside).depth,
-                               advice(scene, faces.facets[first], soil, thickness)));
+  if (first == surface.faces().size()) return;
+  const auto& [facet, number] = surface.faces()[first];
+  const Wall& wall = scene.walls[number];
+  throw SceneError(fmt::format(
+      "{}'{}': the soil particle at {} lies {:.3g} m behind it. {}", message_start(scene, wall),
+      wall.name, point_text(inside, scene.dimension),
+      coordinates(facet, scene.dimension, inside).depth, advice(scene, facet, soil, thickness)));
 }
 
 }  // namespace scarp

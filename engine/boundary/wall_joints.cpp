@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
-#include "engine/boundary/facet_index.hpp"
+#include "engine/boundary/wall_surface.hpp"
 
 namespace scarp {
 
@@ -24,15 +24,14 @@ constexpr double ahead = 0.7;  ///< cosine of the way to a facet against the way
 class Joints {
  public:
   explicit Joints(const Scene& scene)
-      : scene_(scene), touching_(1e-6 * scene.spacing), widest_(scene.spacing - touching_) {
-    for (const Wall& wall : scene.walls)
-      facets_.insert(facets_.end(), wall.facets.begin(), wall.facets.end());
-    index_ = FacetIndex(facets_, scene.spacing);
-  }
+      : scene_(scene),
+        touching_(1e-6 * scene.spacing),
+        widest_(scene.spacing - touching_),
+        surface_(scene) {}
 
-  Facet joined(std::size_t facet) {
-    Facet longer = facets_[facet];
-    const Facet& f = facets_[facet];
+  Facet joined(std::uint32_t facet) {
+    const Facet& f = surface_.facet(facet);
+    Facet longer = f;
     const auto stretch = [&](double& length, const Vec3& tangent, double other_length,
                              const Vec3& other_tangent) {
       const Vec3 back = minus(Vec3{}, tangent);
@@ -49,7 +48,7 @@ class Joints {
 
  private:
   /// Widest gap over the edge that begins at `start`, if every place along it has one or touches.
-  double gap(std::size_t facet, const Vec3& start, const Vec3& outward, double length,
+  double gap(std::uint32_t facet, const Vec3& start, const Vec3& outward, double length,
              const Vec3& along) {
     const bool flat = scene_.dimension == 2;
     const double places = flat ? 0.0 : std::clamp(std::ceil(length / scene_.spacing), 1.0, 1e5);
@@ -64,19 +63,15 @@ class Joints {
   }
 
   /// 0 where another facet touches; nothing where none is near ahead.
-  std::optional<double> gap_at(std::size_t facet, const Vec3& point, const Vec3& outward) {
-    index_.near(point, near_);
+  std::optional<double> gap_at(std::uint32_t facet, const Vec3& point, const Vec3& outward) {
     std::optional<double> nearest;
-    for (const std::uint32_t k : near_) {
+    for (const std::uint32_t k : surface_.near(point, scene_.spacing, search_)) {
       if (k == facet) continue;
-      const Facet& other = facets_[k];
+      const Facet& other = surface_.facet(k);
       const FacetCoordinates at = coordinates(other, scene_.dimension, point);
       const double distance = at.distance(other);
       if (distance <= touching_) return 0.0;
-      const Vec3 foot =
-          plus(plus(other.origin, std::clamp(at.u, 0.0, other.length_u), other.tangent_u),
-               std::clamp(at.v, 0.0, other.length_v), other.tangent_v);
-      const double abreast = dot(minus(foot, point), outward);
+      const double abreast = dot(minus(at.foot(other), point), outward);
       if (distance > widest_ || abreast < ahead * distance) continue;
       // Straight on to its plane, unless that meets it beyond its end.
       const double slope = dot(other.normal, outward);
@@ -92,9 +87,8 @@ class Joints {
 
   const Scene& scene_;
   double touching_, widest_;
-  std::vector<Facet> facets_;
-  FacetIndex index_;
-  std::vector<std::uint32_t> near_;  ///< scratch
+  WallSurface surface_;
+  FacetSearch search_;
 };
 
 }  // namespace
@@ -102,7 +96,7 @@ class Joints {
 void close_narrow_gaps(Scene& scene) {
   Joints joints(scene);
   std::vector<std::vector<Facet>> joined;
-  std::size_t facet = 0;
+  std::uint32_t facet = 0;
   for (const Wall& wall : scene.walls) {
     joined.emplace_back();
     for (std::size_t k = 0; k < wall.facets.size(); ++k)

@@ -12,19 +12,19 @@ namespace scarp {
 
 using namespace geometry;
 
-WalledPart walled_part(std::size_t facet, std::span<const Facet> facets,
-                       std::span<const Wall* const> walls, const FacetIndex& index, int dimension,
+WalledPart walled_part(std::uint32_t face, const WallSurface& surface, const Scene& scene,
                        double least) {
-  const Facet& own = facets[facet];
+  const int dimension = scene.dimension;
+  const Facet& own = surface.facet(face);
+  const Wall& own_wall = scene.walls[surface.wall_of(face)];
   const double tolerance = 1e-6 * least;
   const std::array<Vec3, 2> tangent{own.tangent_u, own.tangent_v};
   const std::array<double, 2> length{own.length_u, own.length_v};
   WalledPart part{{{0.0, length[0]}, {0.0, length[1]}}};
-  std::vector<std::uint32_t> near;
-  index.near(own, near);
-  for (const std::uint32_t k : near) {
-    if (k == facet || !stay_together(*walls[facet], *walls[k])) continue;
-    const Facet& other = facets[k];
+  FacetSearch search;
+  for (const std::uint32_t k : surface.near(own, least, search)) {
+    if (k == face || !stay_together(own_wall, scene.walls[surface.wall_of(k)])) continue;
+    const Facet& other = surface.facet(k);
     for (std::size_t a = 0; a + 1 < static_cast<std::size_t>(dimension); ++a) {
       const double facing = dot(other.normal, tangent[a]);
       if (std::abs(facing) < 0.5 || std::abs(dot(other.normal, tangent[1 - a])) > 1e-6) continue;

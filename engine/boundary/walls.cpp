@@ -74,15 +74,16 @@ void Walls::move(std::size_t wall, const Vec3& step) {
   }
 }
 
-void Walls::choose_standing(const Scene& scene, const std::vector<bool>& stands,
-                            const std::vector<Vec3>& wall_offset) {
+void Walls::choose_standing(const Scene& scene, const WallSurface& surface,
+                            const WallPlacement& walls) {
   if (beside_smooth_.empty()) return;
   const CornerReach reach = corner_reach(scene);
+  FacetSearch search;
   absent_.assign(wall_.size(), false);
   for (const SmoothCorner& corner : beside_smooth_) {
     const std::size_t k = corner.dummy;
     const Vec3 point{position_[0][k], position_[1][k], position_[2][k]};
-    absent_[k] = !stands_in_corner(scene, reach, corner, point, stands, wall_offset);
+    absent_[k] = !stands_in_corner(scene, surface, reach, corner, point, walls, search);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/boundary/dummies.hpp"
+#include "engine/boundary/wall_surface.hpp"
 #include "engine/cells/cell_grid.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
 #include "engine/particles/aligned_vector.hpp"
@@ -52,8 +53,7 @@ class Walls {
   }
 
   /// Which of the dummies in corners with free-slip faces stand now; when lists are built.
-  void choose_standing(const Scene& scene, const std::vector<bool>& stands,
-                       const std::vector<Vec3>& wall_offset);
+  void choose_standing(const Scene& scene, const WallSurface& surface, const WallPlacement& walls);
   /// Records of the dummies that have soil in reach: position, velocity (B1) and stress (B2). No
   /// list names the others.
   void extrapolate(int threads, const kernels::KernelTable& kernels, int dimension,

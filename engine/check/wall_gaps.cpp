@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "engine/boundary/facet_geometry.hpp"
-#include "engine/boundary/facet_index.hpp"
 #include "engine/boundary/wall_joints.hpp"
+#include "engine/boundary/wall_surface.hpp"
 #include "engine/particles/shapes.hpp"
 
 namespace scarp {
@@ -50,48 +49,6 @@ std::vector<EdgePoint> edge_points(const Facet& facet, int dimension, double spa
   return points;
 }
 
-/// Facets of the scene in order, each with its wall, to be asked for what is near.
-class Facets {
- public:
-  Facets(const Scene& scene, double reach) : dimension_(scene.dimension) {
-    for (const Wall& wall : scene.walls) {
-      facets_.insert(facets_.end(), wall.facets.begin(), wall.facets.end());
-      walls_.resize(facets_.size(), &wall);
-    }
-    index_ = FacetIndex(facets_, reach);
-  }
-
-  struct Nearest {
-    double distance = std::numeric_limits<double>::infinity();
-    Vec3 way{};
-    const Wall* wall = nullptr;
-  };
-  /// Of the facets within reach, without number `own`.
-  Nearest nearest_other(std::size_t own, const Vec3& point) {
-    Nearest nearest;
-    index_.near(point, near_);
-    for (const std::uint32_t k : near_) {
-      if (k == own) continue;
-      const Facet& other = facets_[k];
-      const FacetCoordinates at = coordinates(other, dimension_, point);
-      const double distance = at.distance(other);
-      if (distance >= nearest.distance) continue;
-      const Vec3 foot =
-          plus(plus(other.origin, std::clamp(at.u, 0.0, other.length_u), other.tangent_u),
-               std::clamp(at.v, 0.0, other.length_v), other.tangent_v);
-      nearest = {distance, minus(foot, point), walls_[k]};
-    }
-    return nearest;
-  }
-
- private:
-  int dimension_;
-  std::vector<Facet> facets_;
-  std::vector<const Wall*> walls_;
-  FacetIndex index_;
-  std::vector<std::uint32_t> near_;  ///< scratch
-};
-
 }  // namespace
 
 std::vector<std::string> wall_gaps(const Scene& scene) {
@@ -100,9 +57,10 @@ std::vector<std::string> wall_gaps(const Scene& scene) {
   constexpr double ahead = 0.7;  // within 45 degrees of the way out
   Scene joined = scene;
   close_narrow_gaps(joined);
-  Facets facets(joined, reach);
+  const WallSurface surface(joined);
+  FacetSearch search;
   std::vector<std::string> found;
-  std::size_t number = 0;
+  std::uint32_t number = 0;
   for (std::size_t w = 0; w < scene.walls.size(); ++w) {
     const Wall& wall = joined.walls[w];
     for (std::size_t f = 0; f < wall.facets.size(); ++f, ++number) {
@@ -116,13 +74,14 @@ std::vector<std::string> wall_gaps(const Scene& scene) {
             wall.name, point_text(drawn.origin, scene.dimension), longer));
       }
       for (const auto& [point, outward] : edge_points(facet, scene.dimension, scene.spacing)) {
-        const Facets::Nearest other = facets.nearest_other(number, point);
+        const WallSurface::Nearest other = surface.nearest(point, reach, number, search);
         if (other.distance <= touching || other.distance > reach) continue;
-        if (dot(other.way, outward) < ahead * other.distance) continue;
+        if (dot(minus(other.point, point), outward) < ahead * other.distance) continue;
         found.push_back(fmt::format(
             "wall '{}' ends at {}, {:.3g} m from wall '{}': soil can leak through the gap. Try to "
             "let them meet.",
-            wall.name, point_text(point, scene.dimension), other.distance, other.wall->name));
+            wall.name, point_text(point, scene.dimension), other.distance,
+            scene.walls[surface.wall_of(other.face)].name));
         break;
       }
     }

@@ -68,9 +68,10 @@ void build_lists(State& state) {
   // Dummies beside a plane need the images their own stress is taken from: twice the reach of the
   // soil.
   const double image_reach = state.boundary.walls.count() > 0 ? 2.0 * reach : reach;
+  const WallPlacement placement{state.boundary.stands, state.boundary.offset};
   state.boundary.images.select(
-      state.scene, state.boundary.stands, state.boundary.offset, points_of(state.particles), ranges,
-      k0, image_reach,
+      state.scene, state.boundary.surface, placement, points_of(state.particles), ranges, k0,
+      image_reach,
       hold_off_distance(state.scene.spacing) + state.scene.numerics.skin * state.smoothing_length);
   state.sweep.records.resize_images(state.boundary.images.count());
   NeighbourLists::Input input;
@@ -90,7 +91,7 @@ void build_lists(State& state) {
   input.dimension = dimension;
   input.cluster_size = state.kernels.cluster_size;
   if (state.boundary.walls.count() > 0) {
-    state.boundary.walls.choose_standing(state.scene, state.boundary.stands, state.boundary.offset);
+    state.boundary.walls.choose_standing(state.scene, state.boundary.surface, placement);
     const SlotRange dummies = state.boundary.walls.range();
     state.neighbours.wall_cells.build(state.threads, state.boundary.walls.points(), {&dummies, 1},
                                       cell);

@@ -31,6 +31,8 @@ class LostSearch {
  public:
   explicit LostSearch(const State& state)
       : state_(state),
+        surface_(state.boundary.surface),
+        walls_{state.boundary.stands, state.boundary.offset},
         dimension_(state.scene.dimension),
         reach_(2.0 * state.smoothing_length),
         weight_(std::sqrt(dot(state.scene.gravity, state.scene.gravity))) {
@@ -38,20 +40,21 @@ class LostSearch {
     const double damping = state.stage.damping;
     falls_at_ = 0.5 * std::sqrt(2.0 * weight_ * reach_);
     if (damping > 0.0) falls_at_ = std::min(falls_at_, 0.5 * weight_ / damping);
-    for_each_facet({}, [this](const Facet& facet, const Vec3& shift) {
-      for (const Vec3& corner : corners(facet, dimension_)) {
-        for (std::size_t a = 0; a < 3; ++a) {
-          lowest_[a] = std::min(lowest_[a], corner[a] - shift[a]);
-          highest_[a] = std::max(highest_[a], corner[a] - shift[a]);
-        }
+    for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+      if (!state.boundary.stands[w]) continue;
+      for (std::size_t a = 0; a < 3; ++a) {
+        lowest_[a] = std::min(lowest_[a], surface_.extent(w).low[a] + state.boundary.offset[w][a]);
+        highest_[a] =
+            std::max(highest_[a], surface_.extent(w).high[a] + state.boundary.offset[w][a]);
       }
-    });
+    }
   }
 
   Slots found() const {
     const bool falls = weight_ > 0.0;
-    const Slots loose = falls ? select([this](std::int64_t k) { return falls_free(k); })
-                              : select([this](std::int64_t k) { return is_outside(k); });
+    const Slots loose =
+        falls ? select([this](std::int64_t k, auto& search) { return falls_free(k, search); })
+              : select([this](std::int64_t k, auto& search) { return is_outside(k, search); });
     return falls && !loose.empty() ? over_nothing(loose) : loose;
   }
 
@@ -64,7 +67,7 @@ class LostSearch {
   }
   double down(const Vec3& v) const { return dot(v, state_.scene.gravity) / weight_; }
 
-  /// Slots for which is(slot) holds and that have not been counted, in order.
+  /// Slots for which is(slot, search) holds and that have not been counted, in order.
   template <class Is>
   Slots select(const Is& is) const {
     Slots all;
@@ -73,8 +76,9 @@ class LostSearch {
           state_.threads, group.count, particle_chunk, Slots{},
           [&](std::int64_t begin, std::int64_t end) {
             Slots chosen;
+            FacetSearch search;
             for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
-              if (!state_.is_lost(k) && is(k)) chosen.push_back(k);
+              if (!state_.is_lost(k) && is(k, search)) chosen.push_back(k);
             }
             return chosen;
           },
@@ -86,39 +90,55 @@ class LostSearch {
     return all;
   }
 
-  /// Calls use(facet, point relative to its wall) for the walls that stand.
-  template <class Use>
-  void for_each_facet(const Vec3& point, const Use& use) const {
-    for (std::size_t w = 0; w < state_.scene.walls.size(); ++w) {
-      if (!state_.boundary.stands[w]) continue;
-      const Vec3 from_wall = minus(point, state_.boundary.offset[w]);
-      for (const Facet& facet : state_.scene.walls[w].facets) use(facet, from_wall);
-    }
-  }
-
-  bool falls_free(std::int64_t slot) const {
+  bool falls_free(std::int64_t slot, FacetSearch& search) const {
     const Vec3 v = vector(Field::velocity, slot);
     if (!(down(v) > falls_at_)) return false;
     const Vec3 x = vector(Field::position, slot);
     if (!(down(minus(x, vector(Field::reference_position, slot))) > reach_)) return false;
-    return !meets_a_wall(x, v);
+    return !meets_a_wall(x, v, search);
   }
 
   /// Whether x + v t + g t^2/2 comes through a facet, or past its edge within a spacing, at t > 0.
-  bool meets_a_wall(const Vec3& x, const Vec3& v) const {
-    bool meets = false;
-    for_each_facet(x, [&](const Facet& facet, const Vec3& from_wall) {
-      if (meets) return;
+  bool meets_a_wall(const Vec3& x, const Vec3& v, FacetSearch& search) const {
+    const auto passes_by = [&](std::size_t wall) {
+      return [this, start = minus(x, walls_.offset[wall]), v](const AxisBox& box) {
+        return passes(start, v, box.widened(1.5 * state_.scene.spacing));
+      };
+    };
+    const auto found = surface_.find(passes_by, search);
+    return std::any_of(found.begin(), found.end(), [&](std::uint32_t face) {
+      const auto& [facet, w] = surface_.faces()[face];
+      if (!walls_.stands[w]) return false;
+      const Vec3 from_wall = minus(x, walls_.offset[w]);
       // The height over the face is c + b t + a t^2.
       const double a = 0.5 * dot(state_.scene.gravity, facet.normal), b = dot(v, facet.normal),
                    c = dot(minus(from_wall, facet.origin), facet.normal);
-      for (const double t : roots(a, b, c)) {
-        if (!(t > 0.0)) continue;
-        const Vec3 there = plus(plus(from_wall, t, v), 0.5 * t * t, state_.scene.gravity);
-        meets |= coordinates(facet, dimension_, there).above(facet, state_.scene.spacing);
-      }
+      const std::array<double, 2> times = roots(a, b, c);
+      return std::any_of(times.begin(), times.end(), [&](double t) {
+        return t > 0.0 && coordinates(facet, dimension_, at_time(t, from_wall, v))
+                              .above(facet, state_.scene.spacing);
+      });
     });
-    return meets;
+  }
+  Vec3 at_time(double t, const Vec3& x, const Vec3& v) const {
+    return plus(plus(x, t, v), 0.5 * t * t, state_.scene.gravity);
+  }
+  /// Whether that way is in the box at some time t > 0, or all but: it begins there or comes in
+  /// through a side.
+  bool passes(const Vec3& x, const Vec3& v, const AxisBox& box) const {
+    const AxisBox wider = box.widened(0.5 * state_.scene.spacing);  // far above round-off
+    const auto is_inside = [&](const Vec3& point) {
+      return wider.meets(AxisBox::around(point, point));
+    };
+    if (is_inside(x)) return true;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a) {
+      for (const double side : {box.low[a], box.high[a]}) {
+        for (const double t : roots(0.5 * state_.scene.gravity[a], v[a], x[a] - side)) {
+          if (t > 0.0 && is_inside(at_time(t, x, v))) return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// Of c + b t + a t^2; NaN: there is none.
@@ -130,34 +150,40 @@ class LostSearch {
     return {q != 0.0 ? c / q : none, a != 0.0 ? q / a : none};
   }
 
-  bool is_outside(std::int64_t slot) const {
+  bool is_outside(std::int64_t slot, FacetSearch& search) const {
     const Vec3 x = vector(Field::position, slot);
     bool outside = false;
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a)
       outside |= x[a] < lowest_[a] - reach_ || x[a] > highest_[a] + reach_;
-    return outside && is_behind(x) && !meets_a_wall(x, vector(Field::velocity, slot));
+    return outside && is_behind(x, search) &&
+           !meets_a_wall(x, vector(Field::velocity, slot), search);
   }
 
   /// Whether the point lies on the back of every facet that is nearest to it.
-  bool is_behind(const Vec3& x) const {
-    double nearest = infinity;
-    bool behind = false;
-    for_each_facet(x, [&](const Facet& facet, const Vec3& from_wall) {
-      const FacetCoordinates at = coordinates(facet, dimension_, from_wall);
-      const double distance = at.distance(facet), tie = 1e-9 * distance;
-      if (distance > nearest + tie) return;
-      behind = at.depth > 0.0 && (behind || distance < nearest - tie);
-      nearest = std::min(nearest, distance);
-    });
-    return behind;
+  bool is_behind(const Vec3& x, FacetSearch& search) const {
+    for (double reach = reach_; std::isfinite(reach); reach *= 2.0) {
+      double nearest = infinity;
+      bool behind = false;
+      for (const std::uint32_t face : surface_.near(x, reach, walls_, search)) {
+        const auto& [facet, w] = surface_.faces()[face];
+        const FacetCoordinates at = coordinates(facet, dimension_, minus(x, walls_.offset[w]));
+        const double distance = at.distance(facet), tie = 1e-9 * distance;
+        if (distance > nearest + tie) continue;
+        behind = at.depth > 0.0 && (behind || distance < nearest - tie);
+        nearest = std::min(nearest, distance);
+      }
+      if (nearest <= (1.0 - 1e-6) * reach) return behind;
+    }
+    return false;
   }
 
   /// Those of `loose` under which no other soil lies, within the reach to the side.
   Slots over_nothing(const Slots& loose) const {
     const Across across(state_.scene, reach_);
     std::unordered_map<Across::Column, double, Across::Hash> deepest;
-    const Slots held = select(
-        [&loose](std::int64_t k) { return !std::binary_search(loose.begin(), loose.end(), k); });
+    const Slots held = select([&loose](std::int64_t k, auto&) {
+      return !std::binary_search(loose.begin(), loose.end(), k);
+    });
     for (const std::int64_t k : held) {
       const Vec3 x = vector(Field::position, k);
       const auto [entry, fresh] = deepest.emplace(across.column(x), across.depth(x));
@@ -177,6 +203,8 @@ class LostSearch {
   }
 
   const State& state_;
+  const WallSurface& surface_;
+  WallPlacement walls_;
   int dimension_;
   double reach_, weight_;
   double falls_at_ = 0.0;  ///< speed along gravity from which a particle counts as falling

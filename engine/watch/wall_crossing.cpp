@@ -28,35 +28,31 @@ Vec3 point_of(const ParticleBuffers& particles, Field field, std::int64_t slot) 
   return point;
 }
 
-/// Whether the way from `before` to `now`, both relative to the wall, passes the plane `lost`
-/// behind the face inside its footprint.
-bool passes(const Facet& facet, int dimension, const Vec3& before, const Vec3& now, double lost) {
-  const double end = coordinates(facet, dimension, now).depth;
-  if (!(end > lost)) return false;
-  const double start = coordinates(facet, dimension, before).depth;
-  if (start > lost) return false;
-  const Vec3 crossing = plus(before, (lost - start) / (end - start), minus(now, before));
-  return coordinates(facet, dimension, crossing).above(facet, 0.0);
-}
-
 Crossing first_crossing(const State& state) {
   const double lost = lost_depth * state.scene.spacing;
   const int dimension = state.scene.dimension;
+  const WallPlacement walls{state.boundary.stands, state.boundary.offset};
+  // Of a chunk, the first particle that has passed the first face that any has.
   const auto look = [&](std::int64_t begin, std::int64_t end) {
-    for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
-      if (!state.boundary.stands[w]) continue;
-      for (const Facet& facet : state.scene.walls[w].facets) {
-        for (std::int64_t k = begin; k < end; ++k) {
-          const Vec3 now =
-              minus(point_of(state.particles, Field::position, k), state.boundary.offset[w]);
-          const Vec3 before = minus(point_of(state.particles, Field::build_position, k),
-                                    state.boundary.built_offset[w]);
-          if (passes(facet, dimension, before, now, lost))
-            return Crossing{k, w, coordinates(facet, dimension, now).depth};
-        }
+    FacetSearch search;
+    Crossing first;
+    std::uint32_t first_face = std::numeric_limits<std::uint32_t>::max();
+    for (std::int64_t k = begin; k < end; ++k) {
+      const Vec3 place = point_of(state.particles, Field::position, k),
+                 built = point_of(state.particles, Field::build_position, k);
+      const double reach = lost * (1.0 + 1e-6);
+      for (const std::uint32_t face : state.boundary.surface.on_way(
+               built, state.boundary.built_offset, place, walls, reach, search)) {
+        if (face >= first_face) break;
+        const auto& [facet, w] = state.boundary.surface.faces()[face];
+        const Vec3 now = minus(place, state.boundary.offset[w]);
+        const Vec3 before = minus(built, state.boundary.built_offset[w]);
+        if (!goes_in(facet, dimension, before, now, lost)) continue;
+        first = {k, w, coordinates(facet, dimension, now).depth};
+        first_face = face;
       }
     }
-    return Crossing{};
+    return first;
   };
   for (const ParticleGroup& group : state.particles.groups()) {
     const Crossing found = parallel_reduce(

@@ -283,8 +283,10 @@ TEST(GenerateDummiesTest, CornerWithASmoothWallThatGoesIsTold) {
     const Vec3& at = moving.position[corner.dummy];
     const auto stands = [&](bool standing, double down) {
       const std::vector<Vec3> offset{{0, -down, 0}, {}};
-      return stands_in_corner(scene, reach, corner, geometry::plus(at, -down, {0, 1, 0}),
-                              {true, standing}, offset);
+      const std::vector<bool> stand{true, standing};
+      FacetSearch search;
+      return stands_in_corner(scene, WallSurface(scene), reach, corner,
+                              geometry::plus(at, -down, {0, 1, 0}), {stand, offset}, search);
     };
     EXPECT_TRUE(stands(true, 0.0));
     EXPECT_TRUE(stands(true, 1.0));

@@ -9,7 +9,6 @@
 #include "engine/boundary/dummies.hpp"
 #include "engine/boundary/face_grid.hpp"
 #include "engine/boundary/facet_geometry.hpp"
-#include "engine/boundary/facet_index.hpp"
 #include "engine/boundary/wall_clearance.hpp"
 #include "engine/boundary/wall_joints.hpp"
 #include "engine/check/wall_gaps.hpp"
@@ -60,30 +59,6 @@ TEST(NarrowGapsTest, BothWidthsAreTold) {
             std::string::npos);
   EXPECT_NE(told[0].find("lengthened by 0.3 m"), std::string::npos) << told[0];
   EXPECT_NE(told[1].find("1 m from wall 'far': soil can leak"), std::string::npos) << told[1];
-}
-
-TEST(FacetIndexTest, FindsAllThatIsNearAndAsksFew) {
-  // A wavy base of many facets and one long wall over all of it.
-  for (const int count : {40, 4000}) {
-    Points2 points;
-    for (int k = 0; k <= count; ++k) points.push_back({1.0 * k, std::sin(0.1 * k)});
-    std::vector<Facet> facets = line_facets(points);
-    facets.push_back(line_facets({{1.0 * count, 8}, {0, 8}})[0]);
-    const FacetIndex index(facets, 2.0);
-    std::vector<std::uint32_t> found;
-    std::size_t most = 0;
-    for (double x = -3.0; x < count + 3.0; x += 0.37) {
-      const Vec3 point{x, 0.2, 0};
-      index.near(point, found);
-      most = std::max(most, found.size());
-      EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-      for (std::uint32_t k = 0; k < facets.size(); k += count / 40) {
-        if (geometry::coordinates(facets[k], 2, point).distance(facets[k]) > 2.0) continue;
-        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), k)) << x << ' ' << k;
-      }
-    }
-    EXPECT_LE(most, 6U) << "five of length 1 within 2 of any place, and one that ends there";
-  }
 }
 
 TEST(WallClearanceTest, SoilBehindAReversedLineIsNamed) {

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Mirror images in corners of smooth planes, against particles that are reflected one by one.
+#include "engine/boundary/mirror_images.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/boundary/facet_geometry.hpp"
+#include "kernels/tensor.hpp"
+#include "tests/support/small_scenes.hpp"
+
+namespace scarp::test {
+namespace {
+
+using namespace kernels;
+using geometry::cross;
+using geometry::dot;
+using geometry::minus;
+using geometry::plus;
+
+constexpr double smoothing_length = 0.15, reach = 0.3, density = 1700.0, k0 = 0.6;
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+/// What a particle or an image is.
+struct Point {
+  Vec3 position{}, velocity{};
+  Matrix stress{};
+};
+
+/// Three smooth planes that meet at right angles, turned any way, each on a wall of its own.
+struct Corner {
+  std::array<Vec3, 3> axis{};
+  Vec3 apex{0.4, -0.7, 1.1};
+  std::array<Vec3, 3> velocity{};
+  Scene scene;
+  Vec3 gravity{};
+
+  explicit Corner(std::mt19937& random) {
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    const auto any = [&] { return Vec3{number(random), number(random), number(random)}; };
+    const auto unit = [](const Vec3& v) { return plus({}, 1.0 / std::sqrt(dot(v, v)), v); };
+    axis[0] = unit(any());
+    axis[1] = unit(cross(axis[0], any()));
+    axis[2] = cross(axis[0], axis[1]);
+    gravity = plus({}, 9.81, unit(any()));
+    scene.dimension = 3;
+    for (std::size_t a = 0; a < 3; ++a) {
+      velocity[a] = any();
+      const Facet facet{apex, axis[(a + 1) % 3], axis[(a + 2) % 3], 2.0, 2.0, axis[a]};
+      scene.walls.push_back(wall_of("plane", WallKind::free_slip, {facet}));
+    }
+  }
+  double distance(std::size_t plane, const Vec3& point) const {
+    return dot(minus(point, apex), axis[plane]);
+  }
+
+  /// Equation: B3, with matrices written out.
+  Point reflected(const Point& from, std::size_t plane) const {
+    const Vec3& n = axis[plane];
+    const double d = distance(plane, from.position);
+    Point to;
+    to.position = plus(from.position, -2.0 * d, n);
+    to.velocity = plus(from.velocity, -2.0 * dot(minus(from.velocity, velocity[plane]), n), n);
+    Matrix r{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) r[i][j] = (i == j ? 1.0 : 0.0) - 2.0 * n[i] * n[j];
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double along = n[i] * n[j];
+        const double t = along + k0 * ((i == j ? 1.0 : 0.0) - along);
+        to.stress[i][j] = 2.0 * d * density * dot(gravity, n) * t;
+        for (std::size_t k = 0; k < 3; ++k) {
+          for (std::size_t l = 0; l < 3; ++l)
+            to.stress[i][j] += r[i][k] * from.stress[k][l] * r[j][l];
+        }
+      }
+    }
+    return to;
+  }
+
+  /// Across every plane within reach, and those images across the planes after it.
+  void add_images(const Point& from, std::size_t first, std::vector<Point>& images) const {
+    for (std::size_t plane = first; plane < 3; ++plane) {
+      if (distance(plane, from.position) > reach) continue;
+      const Point image = reflected(from, plane);
+      images.push_back(image);
+      add_images(image, plane + 1, images);
+    }
+  }
+};
+
+void expect_same(const Point& image, const Point& wanted) {
+  // Three reflections, each some ten roundings of the largest number that enters.
+  constexpr double round_off = 100 * 2.2e-16;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(image.position[i], wanted.position[i], 5.0 * round_off);
+    EXPECT_NEAR(image.velocity[i], wanted.velocity[i], 10.0 * round_off);
+    for (std::size_t j = 0; j < 3; ++j)
+      EXPECT_NEAR(image.stress[i][j], wanted.stress[i][j], 1e5 * round_off);
+  }
+}
+
+Point read_record(const double* r) {
+  Point point;
+  for (std::size_t a = 0; a < 3; ++a) {
+    point.position[a] = r[record_x + a] * smoothing_length;
+    point.velocity[a] = r[record_velocity_x + a];
+  }
+  const double* s = r + record_stress;
+  point.stress = {{{s[xx], s[xy], s[zx]}, {s[xy], s[yy], s[yz]}, {s[zx], s[yz], s[zz]}}};
+  return point;
+}
+
+bool before(const Point& a, const Point& b) { return a.position < b.position; }
+
+TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> inside(0.0, 2.0 * reach), number(-1.0, 1.0);
+  for (int turn = 0; turn < 10; ++turn) {
+    const Corner corner(random);
+    constexpr std::int64_t count = 40;
+    constexpr Field used[]{Field::position, Field::velocity, Field::density, Field::stress};
+    ParticleBuffers soil(3, {{0, count, padded(count), 0, density}}, used);
+    std::vector<Point> wanted;
+    for (std::int64_t k = 0; k < count; ++k) {
+      Point point;
+      point.position = corner.apex;
+      for (const Vec3& axis : corner.axis)
+        point.position = plus(point.position, inside(random), axis);
+      double s[6];
+      for (int c = 0; c < 6; ++c) soil.component(Field::stress, c)[k] = s[c] = 1e4 * number(random);
+      point.stress = {{{s[xx], s[xy], s[zx]}, {s[xy], s[yy], s[yz]}, {s[zx], s[yz], s[zz]}}};
+      for (int a = 0; a < 3; ++a) {
+        const auto axis = static_cast<std::size_t>(a);
+        point.velocity[axis] = number(random);
+        soil.component(Field::position, a)[k] = point.position[axis];
+        soil.component(Field::velocity, a)[k] = point.velocity[axis];
+      }
+      corner.add_images(point, 0, wanted);
+    }
+    const WallSurface surface(corner.scene);
+    const std::vector<bool> stands(3, true);
+    const std::vector<Vec3> offset(3);
+    const std::vector<Vec3> velocity(corner.velocity.begin(), corner.velocity.end());
+    const PointSpan points{soil.component(Field::position, 0), soil.component(Field::position, 1),
+                           soil.component(Field::position, 2)};
+    const SlotRange range{0, count};
+    MirrorImages images;
+    images.select(corner.scene, surface, {stands, offset}, points, {&range, 1}, {&k0, 1}, reach,
+                  0.1);
+    ASSERT_EQ(images.count(), static_cast<std::int64_t>(wanted.size()));
+    const RecordScaling scaling{1.0 / smoothing_length, 1.0, {1.0}, {1e7}};
+    Records records(soil.slots(), 0);
+    records.pack_soil(1, soil, scaling);
+    records.resize_images(images.count());
+    images.pack(records, scaling.inverse_smoothing_length, offset, velocity, corner.gravity);
+    std::vector<Point> made;
+    for (std::int64_t g = 0; g < images.count(); ++g)
+      made.push_back(read_record(records.record(records.first_image() + g)));
+    std::sort(made.begin(), made.end(), before);
+    std::sort(wanted.begin(), wanted.end(), before);
+    for (std::size_t g = 0; g < wanted.size(); ++g) expect_same(made[g], wanted[g]);
+    for (std::int64_t k = 0; k < count; ++k) {
+      const Vec3 place{points.x[k], points.y[k], points.z[k]};
+      bool close = false;
+      for (std::size_t plane = 0; plane < 3; ++plane)
+        close = close || corner.distance(plane, place) <= 0.1;
+      EXPECT_EQ(images.is_close(k, 1), close);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scarp::test

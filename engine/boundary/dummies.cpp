@@ -270,10 +270,10 @@ class DummyLayout {
   NearTest placed_;
   double most_;  ///< sites that fit into memory
   WallSurface surface_;
-  std::vector<Face> faces_;         ///< those of walls that neither move nor go come first
-  std::vector<std::size_t> rank_;   ///< in `faces_`, by number in the surface
-  mutable FacetSearch search_;      ///< scratch
-  std::vector<const Face*> near_;   ///< the other faces near the site in question
+  std::vector<Face> faces_;        ///< those of walls that neither move nor go come first
+  std::vector<std::size_t> rank_;  ///< in `faces_`, by number in the surface
+  mutable FacetSearch search_;     ///< scratch
+  std::vector<const Face*> near_;  ///< the other faces near the site in question
   WallDummies out_;
   std::vector<std::size_t> near_ends_;  ///< dummies that `mark_edges` may meet
   std::vector<const Facet*> rim_;       ///< facet whose rim each of out_ is above, if any

@@ -126,7 +126,8 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
   for (int turn = 0; turn < 10; ++turn) {
     const Corner corner(random);
     constexpr std::int64_t count = 40;
-    constexpr Field used[]{Field::position, Field::velocity, Field::density, Field::stress};
+    constexpr Field used[]{Field::position, Field::build_position, Field::velocity, Field::density,
+                           Field::stress};
     ParticleBuffers soil(3, {{0, count, padded(count), 0, density}}, used);
     std::vector<Point> wanted;
     for (std::int64_t k = 0; k < count; ++k) {

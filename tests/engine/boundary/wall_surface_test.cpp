@@ -76,7 +76,7 @@ TEST(WallSurfaceTest, NamesEveryStandingFaceWithinReachInOrder) {
     const WallPlacement placement{walls.stands, walls.offset};
     FacetSearch search;
     std::size_t near = 0;
-    for (int k = 0; k < 500; ++k) {
+    for (int k = 0; k < 1500; ++k) {
       const Vec3 point = walls.point(12.0);
       const double reach = walls.number(0.0, 3.0);
       const auto found = surface.near(point, reach, placement, search);
@@ -135,7 +135,7 @@ TEST(WallSurfaceTest, NamesEveryFaceThatAWayPasses) {
   const WallPlacement placement{walls.stands, walls.offset};
   FacetSearch search;
   int passed = 0;
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 6000; ++k) {
     const Vec3 before = walls.point(12.0), now = plus(before, 2.0, walls.direction());
     const double depth = walls.number(0.0, 0.5);
     const auto found =
@@ -192,7 +192,7 @@ Scene spreading_bed(int pieces, WallKind kind) {
   scene.spacing = 0.125;  // places of dummies and images come out without rounding
   scene.numerics = preset("modern");
   scene.materials = {clay()};
-  scene.bodies = {{0, Box{{-1, 0, 0}, {1, 1, 0}}, {2, 0, 0}}};
+  scene.bodies = {{.shape = Box{{-1, 0, 0}, {1, 1, 0}}, .velocity = {2, 0, 0}}};
   scene.walls = {base_in(pieces, kind, scene.spacing)};
   scene.initial_stress = InitialStress::geostatic;
   scene.stages = {stage_for("spread", 1.0)};

@@ -22,6 +22,7 @@ inline Scene empty_scene(int dimension) {
   scene.dimension = dimension;
   scene.spacing = 0.5;
   scene.numerics.smoothing_ratio = 1.5;
+  scene.materials = {{.name = "soil"}};
   return scene;
 }
 

@@ -198,7 +198,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"versions", {{"scarp", program_version()}, {"compiler", __VERSION__}}}};
   for (const Material& material : scene.materials) {
     json["materials"].push_back({{"name", material.name},
-                                 {"model", material.model},
+                                 {"model", material.model.name()},
                                  {"density", material.density},
                                  {"k0", k0_of(scene, material)}});
   }

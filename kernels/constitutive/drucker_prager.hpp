@@ -158,14 +158,10 @@ struct DruckerPrager {
   template <class T>
   static SCARP_INLINE SymTensor<T> update(const Constants& c, const StrainIncrement<T>& step,
                                           SymTensor<T>& stress, History<T, 1>& history) {
+    if (c.softening.acts) return update_softened(c, step, stress, history);
     stress = elastic_trial(c.elastic, step, stress);
     const SymTensor<T> trial = stress;
-    if (c.softening.acts) {
-      const CoulombTangents<T> now = c.softening.strength(history.now[0], step.density);
-      history.change[0] = return_to_cone(c.elastic, cone_of(now, c.match), stress);
-    } else {
-      history.change[0] = return_to_cone(c.elastic, c.cone, stress);
-    }
+    history.change[0] = return_to_cone(c.elastic, c.cone, stress);
     return elastic_strain(c.elastic, trial - stress);
   }
 
@@ -197,6 +193,19 @@ struct DruckerPrager {
  private:
   SofteningInput softening_input() const {
     return {residual_cohesion, residual_friction_angle, softening, softening_slip, dilation_limit};
+  }
+
+  /// Apart, so that soil without softening runs the same instructions as if there were none.
+  template <class T>
+  [[gnu::noinline]] static SymTensor<T> update_softened(const Constants& c,
+                                                        const StrainIncrement<T>& step,
+                                                        SymTensor<T>& stress,
+                                                        History<T, 1>& history) {
+    stress = elastic_trial(c.elastic, step, stress);
+    const SymTensor<T> trial = stress;
+    const CoulombTangents<T> now = c.softening.strength(history.now[0], step.density);
+    history.change[0] = return_to_cone(c.elastic, cone_of(now, c.match), stress);
+    return elastic_strain(c.elastic, trial - stress);
   }
 };
 

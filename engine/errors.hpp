@@ -42,7 +42,7 @@ class CheckpointError : public Error {
   using Error::Error;
 };
 
-/// What a run did that no soil can.
+/// A state that soil cannot have, at which a run was stopped.
 struct Instability {
   std::uint64_t step = 0;
   double time = 0.0;  ///< [s]

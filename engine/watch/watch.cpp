@@ -101,7 +101,7 @@ std::int64_t first_slot(const State& state, Bad&& bad) {
   return -1;
 }
 
-/// A density that is a number, but one that no soil has.
+/// A density that is a number, but out of the range of soil.
 std::optional<Instability> torn_or_crushed(const State& state) {
   const double* density = state.particles.component(Field::density);
   const std::int64_t slot = first_slot(state, [&](double reference, std::int64_t k) {

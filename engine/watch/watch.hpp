@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Tells when a run does what no soil can, before it ends in numbers that mean nothing.
+/// Looks for states that soil cannot have, before a run ends in numbers that mean nothing.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ Instability at_particle(const State& state, std::int64_t slot);
 /// What happened to the particle whose velocity, density or acceleration is not finite.
 Instability not_finite(const State& state, std::int64_t slot);
 
-/// The first thing in the present state that no soil can do, if any. THEORY.md section 10.
+/// What makes the present state one that soil cannot have, if anything. THEORY.md section 10.
 std::optional<Instability> inspect(const State& state);
 
 /// What `inspect` finds, in the steps when it is due. Errors: SimulationInstability.

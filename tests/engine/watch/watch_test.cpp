@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// What no soil can do is found, soon and with all that names it; what soil does is let pass.
+/// States that soil cannot have are found soon and named in full; states of soil are not.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>

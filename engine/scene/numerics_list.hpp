@@ -110,9 +110,11 @@ inline constexpr NumericsRow numerics_list[] = {
         "correct the velocity gradient, take the density rate from it"),
     detail::choice<&Numerics::stress_rotation>("stress_rotation", StressRotation::jaumann,
                                                "rotation of the stress with the soil"),
-    detail::number<&Numerics::viscosity_alpha>("viscosity_alpha", {0.0, 100.0}, 0.1, "-", "Eq. 26"),
-    detail::number<&Numerics::viscosity_beta>("viscosity_beta", {0.0, 100.0}, 0.0, "-",
-                                              "Eq. 26; 2 for impacts"),
+    detail::number<&Numerics::viscosity_alpha>("viscosity_alpha", {0.0, 100.0}, 0.1, "-",
+                                               "alpha of the artificial viscosity, Eq. 26"),
+    detail::number<&Numerics::viscosity_beta>(
+        "viscosity_beta", {0.0, 100.0}, 0.0, "-",
+        "beta of the artificial viscosity, Eq. 26; 2 for impacts"),
     detail::number<&Numerics::artificial_stress>("artificial_stress", {0.0, 10.0}, 0.3, "-",
                                                  "epsilon of Eq. 27; 0 leaves the term out"),
     detail::number<&Numerics::artificial_stress_exponent>(
@@ -128,9 +130,10 @@ inline constexpr NumericsRow numerics_list[] = {
     detail::choice<&Numerics::integrator>(
         "integrator", Integrator::verlet,
         "Verlet's two levels with one sweep a step, or kick-drift-kick with two"),
-    detail::number<&Numerics::verlet_restart_interval>("verlet_restart_interval", {1.0, 1e6}, 40.0,
-                                                       "steps", "M of Eq. 29"),
-    detail::number<&Numerics::cfl>("cfl", {1e-6, 2.0}, 0.2, "-", "Eq. 30"),
+    detail::number<&Numerics::verlet_restart_interval>(
+        "verlet_restart_interval", {1.0, 1e6}, 40.0, "steps",
+        "from one forward step to the next, M of Eq. 29"),
+    detail::number<&Numerics::cfl>("cfl", {1e-6, 2.0}, 0.2, "-", "CFL number, Eq. 30"),
     detail::number<&Numerics::skin>("skin", {0.0, 2.0}, 0.15, "h", "margin of the neighbour lists"),
     detail::number<&Numerics::density_minimum>(
         "density_minimum", {0.01, 1.0}, 0.5, "-",

@@ -60,8 +60,9 @@ constexpr DataSet fields_where(Is is) {
 inline constexpr DataSet state_fields =
     fields_where([](const FieldRow& field) { return field.lifetime == Lifetime::state; });
 
-/// `reads` is what has to be current before the phase, of an engine with several parts on the
-/// ghosts too; `writes` is all that it may change. What a phase both keeps and changes is in both.
+/// `reads` is what has to be current before the phase: of an engine that holds a part of the soil
+/// on ghosts too, where the field table says that a neighbour reads the field. `writes` is all that
+/// the phase may change. A field of which it changes a part is in both.
 struct Phase {
   const char* name;
   DataSet reads, writes;

@@ -133,5 +133,29 @@ TEST(IndependenceTest, AFinishedRunSaysSoAndStaysAsItIs) {
   EXPECT_EQ(sight_of(simulation), before);
 }
 
+/// Reactions are summed over records of their own, in both precisions: nobody else notices.
+TEST(IndependenceTest, ForcesOnWallsMayBeAskedForByTwoThreads) {
+  for (const Precision precision : {Precision::real64, Precision::mixed}) {
+    Scene scene = slope();
+    scene.numerics.precision = precision;
+    Simulation simulation(scene, {1, {}});
+    for (int k = 0; k < steps / 2; ++k) simulation.step();
+    const Simulation& asked = simulation;
+    const auto forces = [&asked] {
+      std::vector<Vec3> all;
+      for (const WallReaction& reaction : asked.wall_reactions()) all.push_back(reaction.force);
+      return all;
+    };
+    const std::vector<Vec3> alone = forces();
+    std::vector<Vec3> other;
+    std::thread thread([&] { other = forces(); });
+    const std::vector<Vec3> own = forces();
+    thread.join();
+    EXPECT_EQ(own, alone);
+    EXPECT_EQ(other, alone);
+    EXPECT_LT(alone[0][1], 0.0);  // the base carries the slope
+  }
+}
+
 }  // namespace
 }  // namespace scarp::test

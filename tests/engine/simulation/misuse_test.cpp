@@ -25,6 +25,8 @@ struct Use {
   std::function<void(Simulation&)> call;
 };
 
+void no_hook(PhaseView& /*view*/) {}
+
 /// Every public member, on any object.
 std::vector<Use> every_use() {
   return {{"step", [](Simulation& s) { s.step(); }},
@@ -63,7 +65,9 @@ std::vector<Use> every_use() {
           {"step_limit_counts", [](Simulation& s) { s.step_limit_counts(); }},
           {"face_hold_count", [](Simulation& s) { s.face_hold_count(); }},
           {"features", [](Simulation& s) { s.features(); }},
-          {"profile", [](Simulation& s) { s.profile(); }}};
+          {"profile", [](Simulation& s) { s.profile(); }},
+          {"phases", [](Simulation& s) { s.phases(); }},
+          {"on_phase", [](Simulation& s) { s.on_phase("watch", When::after, no_hook); }}};
 }
 
 // Before any step, too: programs ask in any order.

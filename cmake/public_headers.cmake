@@ -21,6 +21,7 @@ set(scarp_public_headers
   engine/output/results.hpp
   engine/output/run_writer.hpp
   engine/output/text_file.hpp
+  engine/particles/field_view.hpp
   engine/particles/probe_sample.hpp
   engine/run/checkpoint_writer.hpp
   engine/run/recovery.hpp

@@ -10,6 +10,7 @@
 
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
+#include "engine/particles/field_access.hpp"
 #include "engine/particles/readable.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/setup.hpp"
@@ -183,6 +184,16 @@ std::vector<double> Simulation::field(std::string_view name) const {
     return values;
   }
   throw Error(fmt::format("no field '{}' in this run; there are {}", name, known));
+}
+
+FieldView Simulation::view(std::string_view name) const {
+  return view_field(owned(impl_).state.particles, name);
+}
+
+void Simulation::set_field(std::string_view name, std::span<const double> values) {
+  Impl& impl = owned(impl_);
+  write_field(impl.state.particles, name, impl.slot_of_id(), values);
+  impl.runner.renew(impl.state);
 }
 
 std::vector<double> Simulation::wall_positions() const {

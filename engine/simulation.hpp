@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "engine/energy/energy_balance.hpp"
 #include "engine/features.hpp"
 #include "engine/integrate/step_report.hpp"
+#include "engine/particles/field_view.hpp"
 #include "engine/particles/probe_sample.hpp"
 #include "engine/run_options.hpp"
 #include "engine/scene/scene.hpp"
@@ -87,6 +89,15 @@ class Simulation {
   /// Values of the soil particles in order of their permanent id, `components` per particle, SI.
   /// Also "position" and "lost" (1 or 0). Throws Error for an unknown name.
   std::vector<double> field(std::string_view name) const;
+  /// The same without a copy, in the order of memory; "position" and what `fields` lists, but for
+  /// what is computed when it is read ("displacement", "id", "material"). Error for another name.
+  FieldView view(std::string_view name) const;
+  /// Replaces a field that is part of the state and not a position ("velocity", "density",
+  /// "stress", a history variable) by values in the form that `field` gives; forces follow from
+  /// them in the next step. What that adds to the energy stays in the balance's residual until the
+  /// next stage. Errors: Error, before anything is changed, for another name, another count, and
+  /// values that are not finite.
+  void set_field(std::string_view name, std::span<const double> values);
   std::vector<double> wall_positions() const;  ///< 3 per dummy particle
 
   /// Looks at the present state as `step()` does every 50 steps. Errors: SimulationInstability.

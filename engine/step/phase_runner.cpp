@@ -50,6 +50,13 @@ void PhaseRunner::step(State& state) {
   state.team.took(seconds, state.neighbours.rebuilds != rebuilds);
 }
 
+void PhaseRunner::renew(State& state) const {
+  state.clock.restart = true;
+  if (!state.stage.started) return;  // the start of the stage does it
+  std::vector<double> seconds(phases_.renewal.size());
+  run(state, phases_.renewal, seconds);
+}
+
 void PhaseRunner::add(std::string_view phase, When when, PhaseHook hook) {
   if (!hook) throw Error(fmt::format("on_phase('{}'): the hook is empty. Try a function.", phase));
   const std::vector<PhaseTime> known = times();

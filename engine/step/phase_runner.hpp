@@ -17,6 +17,9 @@ class PhaseRunner {
 
   /// One step, of the next stage where one has ended. What phases and hooks throw leaves it.
   void step(State& state);
+  /// After the state has been changed between two steps: makes anew what a step takes over from the
+  /// one before.
+  void renew(State& state) const;
   /// Errors: Error for a phase that the integrator does not have, and for an empty hook.
   void add(std::string_view phase, When when, PhaseHook hook);
 

@@ -21,6 +21,8 @@ constexpr Phase verlet_step[]{
 constexpr Phase kick_drift_kick_stage_start[]{
     p::enter_stage, p::pack_soil,         p::decide_rebuild, p::rebuild_lists,
     p::pack_images, p::extrapolate_walls, p::sweep_force,    p::start_ledger};
+constexpr Phase kick_drift_kick_renewal[]{p::pack_soil,   p::decide_rebuild,    p::rebuild_lists,
+                                          p::pack_images, p::extrapolate_walls, p::sweep_force};
 constexpr Phase kick_drift_kick_step[]{
     p::choose_time_step,  p::kick_half,      p::hold_off_faces, p::drift_half,
     p::pack_soil,         p::decide_rebuild, p::rebuild_lists,  p::pack_images,
@@ -32,8 +34,8 @@ constexpr Phase kick_drift_kick_step[]{
 }  // namespace
 
 StepPhases phases_of(Integrator integrator) {
-  if (integrator == Integrator::verlet) return {verlet_stage_start, verlet_step};
-  return {kick_drift_kick_stage_start, kick_drift_kick_step};
+  if (integrator == Integrator::verlet) return {verlet_stage_start, verlet_step, {}};
+  return {kick_drift_kick_stage_start, kick_drift_kick_step, kick_drift_kick_renewal};
 }
 
 }  // namespace scarp

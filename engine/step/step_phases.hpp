@@ -7,9 +7,10 @@
 
 namespace scarp {
 
-/// `stage_start` runs before the first step of a stage, `step` in every step.
+/// `stage_start` runs before the first step of a stage, `step` in every step; `renewal` where the
+/// state was changed between two steps: what a step takes over from the one before is made anew.
 struct StepPhases {
-  PhaseList stage_start, step;
+  PhaseList stage_start, step, renewal;
 };
 StepPhases phases_of(Integrator integrator);
 

@@ -51,6 +51,8 @@ std::vector<Use> every_use() {
           {"require_sound", [](Simulation& s) { s.require_sound(); }},
           {"energy", [](Simulation& s) { s.energy(); }},
           {"wall_reactions", [](Simulation& s) { s.wall_reactions(); }},
+          {"view", [](Simulation& s) { s.view("velocity"); }},
+          {"set_field", [](Simulation& s) { s.set_field("velocity", {}); }},
           {"probe", [](Simulation& s) { s.probe(0); }},
           {"probe by name", [](Simulation& s) { s.probe("crest"); }},
           {"smoothing_length", [](Simulation& s) { s.smoothing_length(); }},

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/errors.hpp"
+#include "engine/output/measure_json.hpp"
 #include "engine/output/text_file.hpp"
 
 namespace scarp::validation {
@@ -18,15 +19,6 @@ namespace scarp::validation {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-Json json_of(const Measure& measure) {
-  Json json{{"name", measure.name}, {"value", measure.value}, {"unit", measure.unit}};
-  json["reference"] = measure.reference ? Json(*measure.reference) : Json();
-  json["band"] = measure.band ? Json(*measure.band) : Json();
-  json["source"] = measure.source;
-  json["pass"] = measure.pass ? Json(*measure.pass) : Json();
-  return json;
-}
 
 Json json_of(const ClaimLine& claim) {
   return {{"section", claim.section}, {"quote", claim.quote},

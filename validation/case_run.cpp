@@ -15,6 +15,7 @@
 #include "engine/check/stability_margin.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
+#include "engine/output/text_file.hpp"
 #include "engine/run/run.hpp"
 #include "engine/scene/scene_reader.hpp"
 
@@ -60,12 +61,8 @@ std::filesystem::path data_folder() {
 
 CaseRun::CaseRun(std::string case_name, CaseOptions options) : options_(std::move(options)) {
   folder_ = options_.out / case_name;
+  make_output_folder(folder_);
   std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) {
-    throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
-                                folder_.string(), error.message()));
-  }
   if (std::filesystem::exists(folder_ / "run.json", error)) {
     throw FileError(
         fmt::format("'{}': holds a run of 'scarp run', which the case would replace. Try "

@@ -51,6 +51,17 @@ def load(folder):
     return min(plain, key=lambda r: r.reading["spacing"]), readings, data["slide_share"]
 
 
+def draw(page, folder, figures, parts):
+    """The page of a case of the slopes: each part draws from runs, readings and the share of the height that a
+    slide body has moved over at least."""
+    runs, readings, share = load(folder)
+    if runs is None:
+        return
+    page.text(f"Figures of the reading “{runs.reading['name']}”, dx = {runs.reading['spacing']:.3g} m.")
+    for each in parts:
+        each(page, runs, readings, share, figures)
+
+
 def part(frame, mask):
     return dict(frame, position=frame["position"][mask],
                 fields={name: values[mask] for name, values in frame["fields"].items()})

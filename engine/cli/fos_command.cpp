@@ -41,7 +41,7 @@ CriterionOptions criterion_options(const FosArguments& arguments, const Scene& s
     options.window = positive_option("--window", arguments.window, "s", kernels::Unit::time);
   if (!arguments.ramp.empty()) {
     options.ramp = option_value("--ramp", arguments.ramp, "s", kernels::Unit::time);
-    if (!(options.ramp >= 0.0)) throw UsageError("--ramp: it is below 0. Try \"0 s\": at once.");
+    if (!(*options.ramp >= 0.0)) throw UsageError("--ramp: it is below 0. Try \"0 s\": at once.");
   }
   options.probe = arguments.probe;
   std::vector<std::string> names;

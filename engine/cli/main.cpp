@@ -37,14 +37,21 @@ void add_threads_option(CLI::App& command, scarp::RunOptions& options) {
       });
 }
 
+void add_json_option(CLI::App& command, std::string& json) {
+  command.add_option("--json", json, "Write the numbers to this file, - for standard output");
+}
+
+void add_quiet_option(CLI::App& command, bool& quiet) {
+  command.add_flag("-q,--quiet", quiet, "Show no progress");
+}
+
 /// What every command with a scene takes.
 void add_common_options(CLI::App& command, SceneArguments& arguments) {
   command.add_option("scene", arguments.file, "The scene, a TOML file")->required();
   add_isa_option(command, arguments.options);
   command.add_option("--preset", arguments.preset, "Replace the scene's preset")
       ->check(CLI::IsMember({"modern", "paper"}));
-  command.add_option("--json", arguments.json,
-                     "Write the numbers to this file, - for standard output");
+  add_json_option(command, arguments.json);
 }
 
 void add_scene_options(CLI::App& command, SceneArguments& arguments) {
@@ -52,9 +59,15 @@ void add_scene_options(CLI::App& command, SceneArguments& arguments) {
   add_threads_option(command, arguments.options);
 }
 
-void add_overwrite_option(CLI::App& command, bool& overwrite) {
-  command.add_flag("--overwrite", overwrite,
+/// What every command that fills a folder ends with; `ending` tells its folder from those of
+/// others.
+template <class Arguments>
+void add_folder_options(CLI::App& command, Arguments& arguments, const std::string& ending) {
+  command.add_option("-o,--out", arguments.folder,
+                     "Output folder; default: out/<name of the scene file>" + ending);
+  command.add_flag("--overwrite", arguments.overwrite,
                    "Remove the results in the folder first, whatever left them there");
+  add_quiet_option(command, arguments.quiet);
 }
 
 void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
@@ -87,9 +100,8 @@ CLI::App* add_resume_command(CLI::App& app, ResumeArguments& resume) {
       "Go on after the rows that are there, even if some were changed or are missing");
   add_isa_option(*command, resume.options);
   add_threads_option(*command, resume.options);
-  command->add_option("--json", resume.json,
-                      "Write the numbers to this file, - for standard output");
-  command->add_flag("-q,--quiet", resume.quiet, "Show no progress");
+  add_json_option(*command, resume.json);
+  add_quiet_option(*command, resume.quiet);
   return command;
 }
 
@@ -148,10 +160,7 @@ CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
   command->add_option(
       "--height", fos.height,
       "Height of the slope, e.g. \"10 m\"; default: highest less lowest ground along gravity");
-  command->add_option("-o,--out", fos.folder,
-                      "Output folder; default: out/<name of the scene file>_fos");
-  add_overwrite_option(*command, fos.overwrite);
-  command->add_flag("-q,--quiet", fos.quiet, "Show no progress");
+  add_folder_options(*command, fos, "_fos");
   return command;
 }
 
@@ -168,10 +177,7 @@ int run_program(int argc, char** argv) {
       app.add_subcommand("run", "Run a scene and write frames, tables and results.json");
   add_scene_options(*run_app, run.scene);
   add_spacing_option(*run_app, run.scene);
-  run_app->add_option("-o,--out", run.folder,
-                      "Output folder; default: out/<name of the scene file>");
-  add_overwrite_option(*run_app, run.overwrite);
-  run_app->add_flag("-q,--quiet", run.quiet, "Show no progress");
+  add_folder_options(*run_app, run, "");
 
   ResumeArguments resume;
   CLI::App* resume_app = add_resume_command(app, resume);
@@ -197,10 +203,7 @@ int run_program(int argc, char** argv) {
           "Three spacings, e.g. \"1 m, 0.5 m, 0.25 m\"; default: 4, 2 and 1 times the scene's")
       ->delimiter(',')
       ->expected(3);
-  converge_app->add_option("-o,--out", converge.folder,
-                           "Output folder; default: out/<name of the scene file>_converge");
-  add_overwrite_option(*converge_app, converge.overwrite);
-  converge_app->add_flag("-q,--quiet", converge.quiet, "Show no progress");
+  add_folder_options(*converge_app, converge, "_converge");
 
   FosArguments fos;
   CLI::App* fos_app = add_fos_command(app, fos);

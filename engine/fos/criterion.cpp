@@ -75,7 +75,7 @@ void check_reducible(const Scene& scene) {
 Criterion choose_criterion(const Scene& scene, const CriterionOptions& options) {
   Criterion criterion;
   criterion.early_stop = options.early_stop;
-  criterion.height = options.height > 0.0 ? options.height : slope_height(scene);
+  criterion.height = options.height ? *options.height : slope_height(scene);
   if (!(criterion.height > 0.5 * scene.spacing)) {
     refuse(scene,
            "the ground is level, so the slope has no height to measure displacements with. "
@@ -88,8 +88,8 @@ Criterion choose_criterion(const Scene& scene, const CriterionOptions& options) 
   }
   const double free_fall = std::sqrt(2.0 * criterion.height / weight);
   criterion.limit = failing_share * criterion.height;
-  criterion.window = options.window > 0.0 ? options.window : window_free_falls * free_fall;
-  criterion.ramp = options.ramp >= 0.0 ? options.ramp : ramp_free_falls * free_fall;
+  criterion.window = options.window.value_or(window_free_falls * free_fall);
+  criterion.ramp = options.ramp.value_or(ramp_free_falls * free_fall);
   criterion.span = free_fall;
   if (!options.probe.empty()) {
     std::vector<std::string> names;

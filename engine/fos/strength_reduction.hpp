@@ -13,13 +13,14 @@
 
 namespace scarp {
 
-/// What a caller may set; 0 and empty text: chosen from the scene.
+/// What a caller may set; what is empty is chosen from the scene.
 struct CriterionOptions {
-  double height = 0.0;     ///< of the slope [m]; 0: from the lowest to the highest ground
-  double ramp = -1.0;      ///< time that the cut takes [s]; 0: at once; negative: 1.4 free falls
-  double window = 0.0;     ///< [s]; 0: five free falls over the height
-  std::string probe;       ///< whose displacement is judged; empty: the scene's first probe
-  bool early_stop = true;  ///< false: a trial that stands runs to the end of the window
+  std::optional<double>
+      height{};                  ///< of the slope [m]; empty: from the lowest to the highest ground
+  std::optional<double> ramp{};  ///< time that the cut takes [s]; 0: at once; empty: 1.4 free falls
+  std::optional<double> window{};  ///< [s]; empty: five free falls over the height
+  std::string probe{};             ///< whose displacement is judged; empty: the scene's first probe
+  bool early_stop = true;          ///< false: a trial that stands runs to the end of the window
 };
 
 /// When a slope counts as failed: until `window` after the reduction the displacement exceeds

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "engine/machine.hpp"
+#include "engine/output/measure_json.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/numerics_list.hpp"
 
@@ -20,15 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr int format_version = 1;
-
-Json json_of(const Measure& measure) {
-  Json json{{"name", measure.name}, {"value", measure.value}, {"unit", measure.unit}};
-  json["reference"] = measure.reference ? Json(*measure.reference) : Json();
-  json["band"] = measure.band ? Json(*measure.band) : Json();
-  json["source"] = measure.source;
-  json["pass"] = measure.pass ? Json(*measure.pass) : Json();
-  return json;
-}
 
 Json json_of(const Numerics& numerics) {
   Json json;
@@ -97,6 +89,15 @@ std::string processor_name() {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }
   return "unknown";
+}
+
+nlohmann::ordered_json json_of(const Measure& measure) {
+  Json json{{"name", measure.name}, {"value", measure.value}, {"unit", measure.unit}};
+  json["reference"] = measure.reference ? Json(*measure.reference) : Json();
+  json["band"] = measure.band ? Json(*measure.band) : Json();
+  json["source"] = measure.source;
+  json["pass"] = measure.pass ? Json(*measure.pass) : Json();
+  return json;
 }
 
 std::string program_version() { return SCARP_VERSION; }

@@ -22,12 +22,7 @@ namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
 
 std::filesystem::path made(std::filesystem::path folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
-                                folder.string(), error.message()));
-  }
+  make_output_folder(folder);
   return folder;
 }
 

@@ -100,6 +100,14 @@ void write_to_target(const std::filesystem::path& target, std::string_view text)
   replace_file(end_of_links(target), text);
 }
 
+void make_output_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return;
+  throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
+                              folder.string(), error.message()));
+}
+
 void flush_to_disk(const std::filesystem::path& path) {
   const Descriptor file(path, O_RDONLY);
   if (::fsync(file.get()) != 0) fail(path, errno);

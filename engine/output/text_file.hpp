@@ -26,6 +26,9 @@ void write_to_target(const std::filesystem::path& target, std::string_view text)
 void replace_file_durably(const std::filesystem::path& path,
                           std::span<const std::string_view> parts);
 
+/// Makes the folder that results go to, if it is not there. Errors: FileError.
+void make_output_folder(const std::filesystem::path& folder);
+
 /// Waits until a file or folder is on the disk. Errors: FileError.
 void flush_to_disk(const std::filesystem::path& path);
 

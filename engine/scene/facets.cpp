@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/vector.hpp"
+
 namespace scarp {
 namespace {
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using geometry::cross;
+using geometry::dot;
+
 double length(const Vec3& a) { return std::hypot(a[0], a[1], a[2]); }
 Vec3 unit(const Vec3& a) {
   const double l = length(a);

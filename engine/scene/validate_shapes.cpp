@@ -8,6 +8,7 @@
 #include "engine/scene/outline.hpp"
 #include "engine/scene/scene_problem.hpp"
 #include "engine/scene/validate_parts.hpp"
+#include "engine/scene/vector.hpp"
 
 namespace scarp::checks {
 namespace {
@@ -130,7 +131,7 @@ void shape(const HeightField& field, int dimension, const std::string& path) {
   }
 }
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using geometry::dot;
 
 }  // namespace
 

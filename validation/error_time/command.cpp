@@ -30,14 +30,6 @@ std::vector<const CaseRow*> problems(const std::vector<std::string>& names) {
   return rows;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!error) return;
-  throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
-                              folder.string(), error.message()));
-}
-
 }  // namespace
 
 int error_time_command(const ErrorTimeArguments& arguments) {
@@ -52,7 +44,7 @@ int error_time_command(const ErrorTimeArguments& arguments) {
   }
   const std::vector<const CaseRow*> rows = problems(arguments.cases);
   for (const CaseRow* row : rows) require_problem(*row);
-  make_folder(options.out);
+  make_output_folder(options.out);
   const Clock::time_point start = Clock::now();
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (budget_s) {  // what earlier cases left over goes to the later ones

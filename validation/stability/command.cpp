@@ -32,12 +32,7 @@ bool wanted(const Cell& cell, const std::string& axis) {
 
 int stability_command(const StabilityArguments& arguments) {
   const std::filesystem::path folder = std::filesystem::path(arguments.out) / "stability";
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw FileError(fmt::format("'{}': cannot be made as output folder: {}. Try another with -o.",
-                                folder.string(), error.message()));
-  }
+  make_output_folder(folder);
   std::vector<Cell> cells = stability_cells(arguments.short_form);
   std::erase_if(cells, [&](const Cell& cell) { return !wanted(cell, arguments.axis); });
   if (cells.empty()) {

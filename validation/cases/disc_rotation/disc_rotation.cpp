@@ -11,6 +11,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/scene/vector.hpp"
 #include "validation/case_list.hpp"
 #include "validation/convergence.hpp"
 
@@ -20,9 +21,7 @@ namespace {
 constexpr double turn_time = 1.0;  ///< of the scene's velocity field [s]
 constexpr double angular_velocity = 2.0 * std::numbers::pi / turn_time;
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+using geometry::cross;
 
 /// Kinetic energy and angular momentum, both over the mass of a particle, about the scene's origin,
 /// where the centre of mass rests.

@@ -8,7 +8,7 @@ SHAPES = ("concave corner", "convex corner")
 VIEW = (34, 38)
 
 
-def _geometry(page, runs, figures):
+def _geometry(page, runs, _readings, _share, figures):
     size = runs.reading
     rows = [("Fig. 4", [(runs.initial(shape), "z", shape) for shape in SHAPES], VIEW)]
     slopes.views(page, rows, figures / "fig_4.png",
@@ -17,7 +17,7 @@ def _geometry(page, runs, figures):
                  "is the diagonal x = y; section Q cuts a straight face.")
 
 
-def _views(page, runs, share, figures):
+def _views(page, runs, _readings, share, figures):
     rows = []
     for shape in SHAPES:
         frame = runs.last(shape)
@@ -30,7 +30,7 @@ def _views(page, runs, share, figures):
                  f"soil that moved over {100 * share:g} % of the height.")
 
 
-def _histories(page, runs, readings, figures):
+def _histories(page, runs, readings, _share, figures):
     panels = []
     for title, number, plane, kind in (("(a) P1 and Q1, top: settlement", 1, "crest", "settlement"),
                                        ("(b) P2 and Q2, toe: advance", 2, "toe", "advance")):
@@ -49,7 +49,7 @@ def _histories(page, runs, readings, figures):
     slopes.histories(page, panels, figures / "fig_9.png", "Beside Fig. 9: displacements in sections P and Q.")
 
 
-def _sections(page, runs, figures):
+def _sections(page, runs, _readings, _share, figures):
     size = runs.reading
     panels = []
     for row, (section, plane) in enumerate((("P", "plane 35 degree"), ("Q", "plane 45 degree"))):
@@ -75,11 +75,4 @@ def _sections(page, runs, figures):
 
 
 def draw(page, folder, figures):
-    runs, readings, share = slopes.load(folder)
-    if runs is None:
-        return
-    page.text(f"Figures of the reading “{runs.reading['name']}”, dx = {runs.reading['spacing']:.3g} m.")
-    _views(page, runs, share, figures)
-    _geometry(page, runs, figures)
-    _histories(page, runs, readings, figures)
-    _sections(page, runs, figures)
+    slopes.draw(page, folder, figures, (_views, _geometry, _histories, _sections))

@@ -8,7 +8,7 @@ SHAPES = ("concave", "straight", "convex")
 VIEW = (26, -38)
 
 
-def _geometry(page, runs, figures):
+def _geometry(page, runs, _readings, _share, figures):
     size = runs.reading
     rows = [("Fig. 4", [(slopes.mirrored(runs.initial(shape)), "z", shape) for shape in SHAPES], VIEW)]
     slopes.views(page, rows, figures / "fig_4.png",
@@ -17,7 +17,7 @@ def _geometry(page, runs, figures):
                  "is y = 0; only y > 0 is run.")
 
 
-def _views(page, runs, share, figures):
+def _views(page, runs, _readings, share, figures):
     rows = []
     for shape in SHAPES:
         frame = slopes.mirrored(runs.last(shape))
@@ -33,7 +33,7 @@ def _views(page, runs, share, figures):
                  "accumulated plastic strain.")
 
 
-def _histories(page, runs, readings, figures):
+def _histories(page, runs, readings, _share, figures):
     panels = []
     for title, probe, plane, kind in (("(a) M1, top: settlement", "M1", "crest", "settlement"),
                                       ("(b) M2, toe: advance", "M2", "toe", "advance")):
@@ -46,7 +46,7 @@ def _histories(page, runs, readings, figures):
     slopes.histories(page, panels, figures / "fig_6.png", "Beside Fig. 6: displacement of M1 and M2.")
 
 
-def _sections(page, runs, readings, figures):
+def _sections(page, runs, readings, _share, figures):
     panels = [("(a) 2D, same cone", runs.last("plane 45 degree"), runs.initial("plane 45 degree"))]
     initial = panels[0][2]
     for letter, shape in zip("bcd", SHAPES):
@@ -60,11 +60,4 @@ def _sections(page, runs, readings, figures):
 
 
 def draw(page, folder, figures):
-    runs, readings, share = slopes.load(folder)
-    if runs is None:
-        return
-    page.text(f"Figures of the reading “{runs.reading['name']}”, dx = {runs.reading['spacing']:.3g} m.")
-    _views(page, runs, share, figures)
-    _geometry(page, runs, figures)
-    _histories(page, runs, readings, figures)
-    _sections(page, runs, readings, figures)
+    slopes.draw(page, folder, figures, (_views, _geometry, _histories, _sections))

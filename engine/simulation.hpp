@@ -94,8 +94,8 @@ class Simulation {
   FieldView view(std::string_view name) const;
   /// Replaces a field that is part of the state and not a position ("velocity", "density",
   /// "stress", a history variable) by values in the form that `field` gives; forces follow from
-  /// them in the next step. What that adds to the energy stays in the balance's residual until the
-  /// next stage. Errors: Error, before anything is changed, for another name, another count, and
+  /// them in the next step. The energy balance begins anew with what is set, as at the start of a
+  /// stage. Errors: Error, before anything is changed, for another name, another count, and
   /// values that are not finite.
   void set_field(std::string_view name, std::span<const double> values);
   std::vector<double> wall_positions() const;  ///< 3 per dummy particle

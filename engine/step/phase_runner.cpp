@@ -53,6 +53,7 @@ void PhaseRunner::step(State& state) {
 void PhaseRunner::renew(State& state) const {
   state.clock.restart = true;
   if (!state.stage.started) return;  // the start of the stage does it
+  state.stage.start_speed = std::max(state.stage.start_speed, fastest_soil(state));
   std::vector<double> seconds(phases_.renewal.size());
   run(state, phases_.renewal, seconds);
 }

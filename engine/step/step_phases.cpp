@@ -12,6 +12,7 @@ namespace p = phases;
 
 // As a std::array of deduced type gcc 12 would put them into memory that can be written.
 constexpr Phase verlet_stage_start[]{p::enter_stage, p::start_ledger};
+constexpr Phase verlet_renewal[]{p::start_ledger};
 constexpr Phase verlet_step[]{
     p::pack_soil,         p::decide_rebuild, p::rebuild_lists, p::pack_images,
     p::extrapolate_walls, p::sweep_all,      p::sample_energy, p::choose_time_step,
@@ -22,7 +23,8 @@ constexpr Phase kick_drift_kick_stage_start[]{
     p::enter_stage, p::pack_soil,         p::decide_rebuild, p::rebuild_lists,
     p::pack_images, p::extrapolate_walls, p::sweep_force,    p::start_ledger};
 constexpr Phase kick_drift_kick_renewal[]{p::pack_soil,   p::decide_rebuild,    p::rebuild_lists,
-                                          p::pack_images, p::extrapolate_walls, p::sweep_force};
+                                          p::pack_images, p::extrapolate_walls, p::sweep_force,
+                                          p::start_ledger};
 constexpr Phase kick_drift_kick_step[]{
     p::choose_time_step,  p::kick_half,      p::hold_off_faces, p::drift_half,
     p::pack_soil,         p::decide_rebuild, p::rebuild_lists,  p::pack_images,
@@ -34,7 +36,7 @@ constexpr Phase kick_drift_kick_step[]{
 }  // namespace
 
 StepPhases phases_of(Integrator integrator) {
-  if (integrator == Integrator::verlet) return {verlet_stage_start, verlet_step, {}};
+  if (integrator == Integrator::verlet) return {verlet_stage_start, verlet_step, verlet_renewal};
   return {kick_drift_kick_stage_start, kick_drift_kick_step, kick_drift_kick_renewal};
 }
 

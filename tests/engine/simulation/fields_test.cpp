@@ -88,6 +88,21 @@ TEST(FieldsTest, WhatIsSetBetweenTwoStepsActsInTheNext) {
   }
 }
 
+TEST(FieldsTest, ASpeedSetBetweenTwoStepsIsNoEnergyFromNothing) {
+  for (const char* preset_name : {"modern", "paper"}) {
+    Simulation simulation = run_steps(free_block(preset_name), 1, {1, {}});
+    std::vector<double> velocity(3 * simulation.soil_count(), 0.0);
+    for (std::size_t k = 0; k < velocity.size(); k += 3) velocity[k] = 5.0;
+    simulation.set_field("velocity", velocity);
+    const double from = simulation.last_step().time;
+    for (int k = 0; k < 60; ++k) simulation.step();  // the watch looks every 50
+    const double moved = 5.0 * (simulation.last_step().time - from);
+    const std::vector<double> found = simulation.field("displacement");
+    // Round-off of 60 sums of positions below 2 m.
+    for (std::size_t k = 0; k < found.size(); k += 3) ASSERT_NEAR(found[k], moved, 1e-12);
+  }
+}
+
 TEST(FieldsTest, RefusesWhatCannotBeSetAndChangesNothing) {
   Simulation simulation(free_block("modern"), {1, {}});
   const std::vector<double> before = simulation.field("velocity");

@@ -44,8 +44,7 @@ class LineCuts {
 
   const Scene& scene_;
   std::vector<ColumnShape> shapes_;
-  std::vector<int> materials_;                              ///< of the bodies
-  std::vector<std::vector<std::array<double, 2>>> turned_;  ///< outlines with axes exchanged
+  std::vector<int> materials_;  ///< of the bodies
   Vec3 minimum_{}, maximum_{};
 };
 

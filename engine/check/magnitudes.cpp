@@ -8,43 +8,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/scene/shape_list.hpp"
+
 namespace scarp {
 namespace {
-
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  void take(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-};
-
-/// Extent of a body along one axis [m]; a height given by an expression is not known here and
-/// counts as 0.
-struct Extent {
-  std::size_t axis = 0;
-  int dimension = 2;
-
-  Range operator()(const Polygon& polygon) const {
-    Range range;
-    const bool across = dimension == 3 && axis == 1;
-    for (const auto& p : polygon.points) range.take(p[axis == 0 ? 0 : 1]);
-    return across ? Range{polygon.extrude[0], polygon.extrude[1]} : range;
-  }
-  Range operator()(const Box& box) const { return {box.minimum[axis], box.maximum[axis]}; }
-  Range operator()(const Cylinder& cylinder) const {
-    const double centre = cylinder.centre[axis];
-    if (axis == 2) return {centre, centre + cylinder.height};
-    return {centre - cylinder.radius, centre + cylinder.radius};
-  }
-  Range operator()(const HeightField& field) const {
-    if (axis != 2) return {field.plan_minimum[axis], field.plan_maximum[axis]};
-    Range range{field.base, field.base};
-    for (const auto& p : field.profile) range.take(p[1]);
-    return range;
-  }
-};
 
 /// Along gravity [m].
 class Heights {
@@ -52,15 +19,16 @@ class Heights {
   explicit Heights(const Scene& scene) : scene_(scene) {
     const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto steepest = std::max_element(scene.gravity.begin(), scene.gravity.end(), smaller);
-    extent_ = {static_cast<std::size_t>(steepest - scene.gravity.begin()), scene.dimension};
+    axis_ = static_cast<std::size_t>(steepest - scene.gravity.begin());
   }
 
   /// From the lowest to the highest point of a material; 0: unknown, or no body is made of it.
   double of_all(std::size_t material) const {
-    Range range;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Range range{infinity, -infinity};
     for_each_body(material, [&range](const Range& own) {
-      range.take(own.low);
-      range.take(own.high);
+      range.low = std::min(range.low, own.low);
+      range.high = std::max(range.high, own.high);
     });
     return std::fmax(range.high - range.low, 0.0);
   }
@@ -77,12 +45,14 @@ class Heights {
   template <class Visit>
   void for_each_body(std::size_t material, const Visit& visit) const {
     for (const Body& body : scene_.bodies) {
-      if (material_of(scene_, body) == material) visit(std::visit(extent_, body.shape));
+      if (material_of(scene_, body) != material) continue;
+      const ShapeExtent extent = row_of(body.shape).extent(body.shape, scene_.dimension);
+      visit(Range{extent.minimum[axis_], extent.maximum[axis_]});
     }
   }
 
   const Scene& scene_;
-  Extent extent_{};
+  std::size_t axis_ = 0;
 };
 
 std::string pressure_text(double pressure) {

@@ -222,15 +222,10 @@ std::vector<double> places_between(const LineCuts& cuts, std::size_t axis, doubl
   return places;
 }
 
-/// What one line costs: edges of outlines, or about as much for an expression.
+/// What one line costs, in edges looked at.
 double cost_of_line(const Scene& scene) {
   double cost = 0.0;
-  for (const Body& body : scene.bodies) {
-    const auto* polygon = std::get_if<Polygon>(&body.shape);
-    cost += polygon != nullptr ? static_cast<double>(polygon->points.size())
-            : std::holds_alternative<HeightField>(body.shape) ? 50.0
-                                                              : 5.0;
-  }
+  for (const Body& body : scene.bodies) cost += row_of(body.shape).cost(body.shape);
   return cost;
 }
 

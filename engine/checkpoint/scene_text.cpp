@@ -3,14 +3,13 @@
 #include "engine/checkpoint/scene_text.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <sstream>
-#include <type_traits>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "engine/scene/numerics_list.hpp"
+#include "engine/scene/shape_list.hpp"
+#include "engine/scene/text_lines.hpp"
 
 namespace scarp {
 namespace {
@@ -19,24 +18,7 @@ namespace {
 /// where 0 is no value.
 constexpr double chosen = -1.0;
 
-class Lines {
- public:
-  template <class T>
-  void add(std::string_view key, const T& value) {
-    if constexpr (std::is_enum_v<T>) {
-      add(key, static_cast<int>(value));
-    } else {
-      fmt::format_to(std::back_inserter(text_), "{}{} = {}\n", section_, key, value);
-    }
-  }
-  void section(std::string name) { section_ = std::move(name); }
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string section_, text_;
-};
-
-void add_numerics(Lines& lines, const Numerics& numerics) {
+void add_numerics(TextLines& lines, const Numerics& numerics) {
   lines.section("numerics.");
   for (const NumericsRow& row : numerics_list) {
     if (row.kind == NumericsRow::Kind::truth) {
@@ -47,34 +29,7 @@ void add_numerics(Lines& lines, const Numerics& numerics) {
   }
 }
 
-struct ShapeLines {
-  Lines& lines;
-  void operator()(const Polygon& p) const {
-    lines.add("polygon", p.points);
-    lines.add("extrude", p.extrude);
-  }
-  void operator()(const Box& b) const {
-    lines.add("box.min", b.minimum);
-    lines.add("box.max", b.maximum);
-  }
-  void operator()(const Cylinder& c) const {
-    lines.add("cylinder.centre", c.centre);
-    lines.add("cylinder.radius", c.radius);
-    lines.add("cylinder.inner_radius", c.inner_radius);
-    lines.add("cylinder.height", c.height);
-  }
-  void operator()(const HeightField& h) const {
-    lines.add("height_field.plan_minimum", h.plan_minimum);
-    lines.add("height_field.plan_maximum", h.plan_maximum);
-    lines.add("height_field.base", h.base);
-    lines.add("height_field.along", h.kind);
-    lines.add("height_field.centre", h.centre);
-    lines.add("height_field.profile", h.profile);
-    lines.add("height_field.expression", h.expression);
-  }
-};
-
-void add_walls(Lines& lines, const std::vector<Wall>& walls) {
+void add_walls(TextLines& lines, const std::vector<Wall>& walls) {
   for (std::size_t w = 0; w < walls.size(); ++w) {
     const Wall& wall = walls[w];
     lines.section(fmt::format("wall[{}].", w));
@@ -93,7 +48,7 @@ void add_walls(Lines& lines, const std::vector<Wall>& walls) {
   }
 }
 
-void add_stages(Lines& lines, const std::vector<Stage>& stages) {
+void add_stages(TextLines& lines, const std::vector<Stage>& stages) {
   for (std::size_t s = 0; s < stages.size(); ++s) {
     const Stage& stage = stages[s];
     lines.section(fmt::format("stage[{}].", s));
@@ -111,7 +66,7 @@ void add_stages(Lines& lines, const std::vector<Stage>& stages) {
 }  // namespace
 
 std::string scene_text(const Scene& scene) {
-  Lines lines;
+  TextLines lines;
   lines.add("dimension", scene.dimension);
   lines.add("gravity", scene.gravity);
   lines.add("spacing", scene.spacing);
@@ -132,7 +87,7 @@ std::string scene_text(const Scene& scene) {
     lines.add("material", material_of(scene, body));
     lines.add("velocity", body.velocity);
     lines.add("velocity_field", body.velocity_field);
-    std::visit(ShapeLines{lines}, body.shape);
+    row_of(body.shape).write(body.shape, lines);
   }
   add_walls(lines, scene.walls);
   lines.section("initial.");
@@ -144,7 +99,7 @@ std::string scene_text(const Scene& scene) {
 }
 
 std::string output_text(const Scene& scene) {
-  Lines lines;
+  TextLines lines;
   lines.section("output.");
   lines.add("frames", scene.output.frames);
   lines.add("every", scene.output.frame_interval.value_or(0.0));

@@ -113,7 +113,10 @@ struct HeightField {
 };
 
 struct Body {
-  std::variant<Polygon, Box, Cylinder, HeightField> shape{};
+  /// `engine/scene/shape_list.hpp` has one row for each.
+  using Shape = std::variant<Polygon, Box, Cylinder, HeightField>;
+
+  Shape shape{};
   std::string material{};  ///< its name; empty: the scene's only one
   Vec3 velocity{};         ///< initial velocity [m/s]
   /// Initial velocity by place instead: one muParser expression of x, y, z [m] for each direction
@@ -209,6 +212,9 @@ std::size_t material_of(const Scene& scene, const Body& body);
 
 /// Whether a body is made of the material with this index.
 bool is_used(const Scene& scene, std::size_t material);
+
+/// "(1, 2)" in 2D, "(1, 2, 3)" in 3D.
+std::string point_text(const Vec3& point, int dimension);
 
 /// Horizontal over vertical stress of a material at rest: its own, else that of the scene, else
 /// nu/(1 - nu). Geostatic stress, stress diffusion and mirror images take it.

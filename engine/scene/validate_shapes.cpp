@@ -5,133 +5,17 @@
 #include <cmath>
 
 #include "engine/scene/expression.hpp"
-#include "engine/scene/outline.hpp"
 #include "engine/scene/scene_problem.hpp"
+#include "engine/scene/shape_list.hpp"
 #include "engine/scene/validate_parts.hpp"
 #include "engine/scene/vector.hpp"
 
 namespace scarp::checks {
 namespace {
 
-constexpr double largest_length = 1e9;  // [m]
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
-void point(const std::array<double, 2>& p, const std::string& path) {
-  for (const double x : p) inside(x, -largest_length, largest_length, path);
-}
-
-void ordered(double low, double high, const std::string& path) {
-  rule(high > low, path, fmt::format("[{}, {}]", low, high),
-       "the second is not above the first. Try the smaller one first.");
-}
-
-void shape(const Polygon& polygon, int dimension, const std::string& path) {
-  const std::string key = path + ".polygon";
-  const auto& p = polygon.points;
-  rule(p.size() >= 3, key, fmt::format("{} points", p.size()),
-       "an outline needs three points. Try at least 3.");
-  double area = 0.0, size = 0.0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    point(p[i], fmt::format("{}[{}]", key, i));
-    const auto& q = p[(i + 1) % p.size()];
-    const double ax = p[i][0] - p[0][0], ay = p[i][1] - p[0][1];
-    const double bx = q[0] - p[0][0], by = q[1] - p[0][1];
-    area += 0.5 * (ax * by - ay * bx);
-    size = std::fmax(size, std::fmax(std::abs(ax), std::abs(ay)));
-  }
-  rule(std::abs(area) > 1e-12 * size * size, key, fmt::format("{} points", p.size()),
-       "the outline encloses no area. Try points that go round the body once.");
-  if (const auto crossing = self_crossing(p)) {
-    const auto edge = [&](std::size_t i) {
-      const auto &a = p[i], &b = p[(i + 1) % p.size()];
-      return fmt::format("[{:.9g}, {:.9g}] to [{:.9g}, {:.9g}]", a[0], a[1], b[0], b[1]);
-    };
-    throw SceneProblem(
-        key, fmt::format("{} points", p.size()),
-        fmt::format("the edges from {} and from {} cross at ({:.9g}, {:.9g}). Try points that go "
-                    "round the body once, in order.",
-                    edge(crossing->first), edge(crossing->second), crossing->at[0],
-                    crossing->at[1]));
-  }
-  if (dimension != 3) return;
-  point(polygon.extrude, path + ".extrude");
-  ordered(polygon.extrude[0], polygon.extrude[1], path + ".extrude");
-}
-
-void shape(const Box& box, int dimension, const std::string& path) {
-  vector(box.minimum, dimension, largest_length, path + ".box.min");
-  vector(box.maximum, dimension, largest_length, path + ".box.max");
-  for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
-    rule(box.maximum[d] > box.minimum[d], path + ".box.max", fmt::format("{}", box.maximum[d]),
-         "it is not above min in every direction. Try min = [0, 0], max = [1, 1].");
-  }
-}
-
-void shape(const Cylinder& cylinder, int dimension, const std::string& path) {
-  const std::string key = path + ".cylinder";
-  vector(cylinder.centre, dimension, largest_length, key + ".centre");
-  inside(cylinder.radius, 1e-9, largest_length, key + ".radius");
-  inside(cylinder.inner_radius, 0.0, largest_length, key + ".inner_radius");
-  rule(cylinder.inner_radius < cylinder.radius, key + ".inner_radius",
-       fmt::format("{}", cylinder.inner_radius),
-       "nothing is left of the ring. Try less than the radius.");
-  if (dimension == 3) inside(cylinder.height, 1e-9, largest_length, key + ".height");
-}
-
-/// Can be read, and is finite at `places`; values elsewhere are checked where they are used.
-void formula(const std::string& text, const std::string& variables, const std::vector<Vec3>& places,
-             const std::string& key) {
-  rule(!text.empty() && text.size() <= 1000, key, fmt::format("{} letters", text.size()),
-       "an expression has 1 to 1000 letters. Try a shorter one.");
-  try {
-    const Expression value(text, variables);
-    for (const Vec3& place : places) {
-      rule(std::isfinite(value(place)), key, '"' + text + '"',
-           fmt::format("the height at x = {}, y = {} is not finite. Try one that is finite on the "
-                       "whole plan.",
-                       place[0], place[1]));
-    }
-  } catch (const ExpressionError& error) {
-    throw SceneProblem(
-        key, '"' + text + '"',
-        fmt::format("{} Try an expression of {}.", error.what(),
-                    variables == "xy" ? "x and y" : "x, y and z in metres, such as \"-2*y\""));
-  }
-}
-
-void expression(const HeightField& field, const std::string& key) {
-  std::vector<Vec3> corners;
-  for (const double x : {field.plan_minimum[0], field.plan_maximum[0]}) {
-    for (const double y : {field.plan_minimum[1], field.plan_maximum[1]}) {
-      corners.push_back({x, y, 0.0});
-    }
-  }
-  formula(field.expression, "xy", corners, key);
-}
-
-void shape(const HeightField& field, int dimension, const std::string& path) {
-  const std::string key = path + ".height_field";
-  rule(dimension == 3, key, "...", "a height field needs dimension = 3. Try a polygon in 2D.");
-  point(field.plan_minimum, key + ".plan");
-  point(field.plan_maximum, key + ".plan");
-  ordered(field.plan_minimum[0], field.plan_maximum[0], key + ".plan");
-  ordered(field.plan_minimum[1], field.plan_maximum[1], key + ".plan");
-  inside(field.base, -largest_length, largest_length, key + ".base");
-  if (field.kind == HeightField::Kind::expression) return expression(field, key + ".expression");
-  point(field.centre, key + ".centre");
-  rule(field.profile.size() >= 2, key + ".profile", fmt::format("{} points", field.profile.size()),
-       "a profile needs two points. Try [[0, 1], [10, 0]].");
-  for (std::size_t i = 0; i < field.profile.size(); ++i) {
-    const std::string item = fmt::format("{}.profile[{}]", key, i);
-    point(field.profile[i], item);
-    rule(i == 0 || field.profile[i][0] >= field.profile[i - 1][0], item,
-         fmt::format("[{}, {}]", field.profile[i][0], field.profile[i][1]),
-         "the distance is below the one before. Try rising distances; equal ones make a vertical "
-         "face.");
-  }
-}
-
 using geometry::dot;
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
 
 }  // namespace
 
@@ -164,10 +48,39 @@ void vector(const Vec3& value, int dimension, double largest, const std::string&
        "2D has no z. Try z = 0, or dimension = 3.");
 }
 
+void point(const std::array<double, 2>& p, const std::string& path) {
+  for (const double x : p) inside(x, -largest_length, largest_length, path);
+}
+
+void ordered(double low, double high, const std::string& path) {
+  rule(high > low, path, fmt::format("[{}, {}]", low, high),
+       "the second is not above the first. Try the smaller one first.");
+}
+
+void formula(const std::string& text, const std::string& variables, const std::vector<Vec3>& places,
+             const std::string& key) {
+  rule(!text.empty() && text.size() <= 1000, key, fmt::format("{} letters", text.size()),
+       "an expression has 1 to 1000 letters. Try a shorter one.");
+  try {
+    const Expression value(text, variables);
+    for (const Vec3& place : places) {
+      rule(std::isfinite(value(place)), key, '"' + text + '"',
+           fmt::format("the height at x = {}, y = {} is not finite. Try one that is finite on the "
+                       "whole plan.",
+                       place[0], place[1]));
+    }
+  } catch (const ExpressionError& error) {
+    throw SceneProblem(
+        key, '"' + text + '"',
+        fmt::format("{} Try an expression of {}.", error.what(),
+                    variables == "xy" ? "x and y" : "x, y and z in metres, such as \"-2*y\""));
+  }
+}
+
 void body(const Scene& scene, std::size_t index, const std::string& path) {
   const Body& body = scene.bodies[index];
   material_of(scene, body);
-  std::visit([&](const auto& s) { shape(s, scene.dimension, path); }, body.shape);
+  row_of(body.shape).check(body.shape, scene.dimension, path);
   vector(body.velocity, scene.dimension, 1e6, path + ".velocity");
   rule(body.velocity_field.empty() ||
            body.velocity_field.size() == static_cast<std::size_t>(scene.dimension),

@@ -107,7 +107,8 @@ class LostSearch {
     };
     const auto found = surface_.find(passes_by, search);
     return std::any_of(found.begin(), found.end(), [&](std::uint32_t face) {
-      const auto& [facet, w] = surface_.faces()[face];
+      const Facet& facet = surface_.facet(face);
+      const std::size_t w = surface_.wall_of(face);
       if (!walls_.stands[w]) return false;
       const Vec3 from_wall = minus(x, walls_.offset[w]);
       // The height over the face is c + b t + a t^2.

@@ -2,6 +2,7 @@
 /// Keeps grains from passing a face.
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
@@ -66,6 +67,8 @@ void hold_off_faces(State& state) {
     position[static_cast<std::size_t>(a)] = state.particles.component(Field::position, a);
     velocity[static_cast<std::size_t>(a)] = state.particles.component(Field::velocity, a);
   }
+  const WallSurface& surface = state.boundary.surface;
+  const std::vector<std::uint32_t> few = surface.all_if_few(state.boundary.stands);
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
   const double reach = std::max(nearest, -deepest) * spacing * (1.0 + 1e-6);
   const auto hold = [&](std::int64_t k, double mass, Holds& holds, FacetSearch& search) {
@@ -74,13 +77,14 @@ void hold_off_faces(State& state) {
       x[a] = position[a][k];
       v[a] = velocity[a][k];
     }
-    const auto near = state.boundary.surface.near(x, reach, placement, search);
+    const std::span<const std::uint32_t> near =
+        few.empty() ? surface.near(x, reach, placement, search) : few;
     bool held = false;
     int faces = 2;
     for (int pass = 0; pass < most_passes && faces > 1; ++pass) {
       faces = 0;
       for (const std::uint32_t face : near) {
-        const auto& [facet, w] = state.boundary.surface.faces()[face];
+        const auto& [facet, w] = surface.faces()[face];
         const FacetCoordinates at =
             coordinates(facet, dimension, minus(x, state.boundary.offset[w]));
         if (at.depth < -nearest * spacing || at.depth > -deepest * spacing) continue;

@@ -13,6 +13,9 @@ bool move_alike(const Wall& one, const Wall& other) {
          (one.velocity == Vec3{} || one.moves_from == other.moves_from);
 }
 
+/// A question costs 60 to 100 ns, a look at a face 1.5 ns (2D, gcc 12, AVX2).
+constexpr std::size_t few_faces = 32;
+
 auto meets_box(const AxisBox& asked) {
   return [asked](const AxisBox& box) { return box.meets(asked); };
 }
@@ -43,6 +46,14 @@ WallSurface::WallSurface(const Scene& scene) : dimension_(scene.dimension) {
 void WallSurface::keep_standing(const std::vector<bool>& stands, FacetSearch& search) const {
   const auto gone = [&](std::uint32_t face) { return !stands[faces_[face].wall]; };
   std::erase_if(search.found, gone);
+}
+
+std::vector<std::uint32_t> WallSurface::all_if_few(const std::vector<bool>& stands) const {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t face = 0; faces_.size() <= few_faces && face < faces_.size(); ++face) {
+    if (stands[faces_[face].wall]) all.push_back(face);
+  }
+  return all;
 }
 
 std::span<const std::uint32_t> WallSurface::near(const Vec3& point, double reach,

@@ -63,6 +63,10 @@ class WallSurface {
                                         const Vec3& now, const WallPlacement& walls, double reach,
                                         FacetSearch& search) const;
 
+  /// Every standing face, in order, where they are so few that to look at each of them costs less
+  /// than a question; else none. Many questions in a row may take it for the answer to each.
+  std::vector<std::uint32_t> all_if_few(const std::vector<bool>& stands) const;
+
   /// Faces of whose box, before their wall moved, meets_of(wall)(box) holds; `wall` stands for all
   /// that move like it. Pre: as for FacetIndex::find.
   template <class MeetsOf>

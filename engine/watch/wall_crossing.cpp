@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Finds grains that have passed a face from its soil side.
 #include <limits>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,6 +33,8 @@ Vec3 point_of(const ParticleBuffers& particles, Field field, std::int64_t slot) 
 Crossing first_crossing(const State& state) {
   const double lost = lost_depth * state.scene.spacing;
   const int dimension = state.scene.dimension;
+  const WallSurface& surface = state.boundary.surface;
+  const std::vector<std::uint32_t> few = surface.all_if_few(state.boundary.stands);
   const WallPlacement walls{state.boundary.stands, state.boundary.offset};
   // Of a chunk, the first particle that has passed the first face that any has.
   const auto look = [&](std::int64_t begin, std::int64_t end) {
@@ -41,10 +45,13 @@ Crossing first_crossing(const State& state) {
       const Vec3 place = point_of(state.particles, Field::position, k),
                  built = point_of(state.particles, Field::build_position, k);
       const double reach = lost * (1.0 + 1e-6);
-      for (const std::uint32_t face : state.boundary.surface.on_way(
-               built, state.boundary.built_offset, place, walls, reach, search)) {
+      const std::span<const std::uint32_t> near =
+          few.empty()
+              ? surface.on_way(built, state.boundary.built_offset, place, walls, reach, search)
+              : few;
+      for (const std::uint32_t face : near) {
         if (face >= first_face) break;
-        const auto& [facet, w] = state.boundary.surface.faces()[face];
+        const auto& [facet, w] = surface.faces()[face];
         const Vec3 now = minus(place, state.boundary.offset[w]);
         const Vec3 before = minus(built, state.boundary.built_offset[w]);
         if (!goes_in(facet, dimension, before, now, lost)) continue;

@@ -69,6 +69,13 @@ bool holds(std::span<const std::uint32_t> found, std::uint32_t face) {
   return std::binary_search(found.begin(), found.end(), face);
 }
 
+/// A level base from -500 to 500 spacings in so many pieces.
+Wall base_in(int pieces, WallKind kind, double spacing) {
+  Points2 points;
+  for (int k = 0; k <= pieces; ++k) points.push_back({(1000.0 * k / pieces - 500.0) * spacing, 0});
+  return line_wall("base", kind, points);
+}
+
 TEST(WallSurfaceTest, NamesEveryStandingFaceWithinReachInOrder) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     RandomWalls walls(seed);
@@ -95,6 +102,16 @@ TEST(WallSurfaceTest, NamesEveryStandingFaceWithinReachInOrder) {
     }
     EXPECT_GT(near, 500U) << "the test looks past the walls";
   }
+}
+
+TEST(WallSurfaceTest, AFewFacesAreNamedAtOnceWithoutThoseThatHaveGone) {
+  Scene scene = empty_scene(2);
+  scene.walls = {base_in(3, WallKind::no_slip, 0.5), base_in(2, WallKind::no_slip, 0.5)};
+  const WallSurface few(scene);
+  EXPECT_EQ(few.all_if_few({true, true}), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(few.all_if_few({false, true}), (std::vector<std::uint32_t>{3, 4}));
+  scene.walls[0] = base_in(1000, WallKind::no_slip, 0.5);
+  EXPECT_TRUE(WallSurface(scene).all_if_few({true, true}).empty());
 }
 
 TEST(WallSurfaceTest, TheNearestPointIsThatOfTheNearestFace) {
@@ -171,13 +188,6 @@ TEST(WallSurfaceTest, AFacetFindsThoseWithinReachOfIt) {
       }
     }
   }
-}
-
-/// A level base from -500 to 500 spacings in so many pieces.
-Wall base_in(int pieces, WallKind kind, double spacing) {
-  Points2 points;
-  for (int k = 0; k <= pieces; ++k) points.push_back({(1000.0 * k / pieces - 500.0) * spacing, 0});
-  return line_wall("base", kind, points);
 }
 
 /// Boxes that one question may look at: a box two pieces wide meets two boxes of each level of the

@@ -45,8 +45,8 @@ void keys(benchmark::State& bench, State& state) {
   std::vector<std::uint64_t> out(static_cast<std::size_t>(soil.end));
   for (auto _ : bench) {
     for (std::int64_t k = soil.begin; k < soil.end; ++k) {
-      out[static_cast<std::size_t>(k)] = morton_key(
-          state.neighbours.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0));
+      out[static_cast<std::size_t>(k)] = morton_key(state.neighbours.cells[Role::owned].cell_of(
+          p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0));
     }
     benchmark::DoNotOptimize(out.data());
   }
@@ -106,8 +106,8 @@ void put_in_order(State& state, Order wanted, bool compact) {
     std::vector<std::uint64_t> keys(order.size());
     for (std::int64_t k = soil.begin; k < soil.end; ++k) {
       std::array<std::uint32_t, 3> cell{};
-      const auto of =
-          state.neighbours.soil_cells.cell_of(p.x[k], p.y[k], p.z != nullptr ? p.z[k] : 0.0);
+      const auto of = state.neighbours.cells[Role::owned].cell_of(p.x[k], p.y[k],
+                                                                  p.z != nullptr ? p.z[k] : 0.0);
       for (std::size_t a = 0; a < 3; ++a) cell[a] = static_cast<std::uint32_t>(of[a]);
       keys[static_cast<std::size_t>(k)] =
           wanted == Order::hilbert ? hilbert_key(cell, state.scene.dimension) : morton_key(of);

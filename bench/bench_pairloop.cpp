@@ -14,8 +14,8 @@
 #include "bench/bench_main.hpp"
 #include "bench/block.hpp"
 #include "bench/fma_peak.hpp"
-#include "bench/pair_flops.hpp"
 #include "engine/team.hpp"
+#include "kernels/pair/term_rows.hpp"
 #include "kernels/smoothing/list.hpp"
 
 namespace scarp::bench {
@@ -24,11 +24,11 @@ namespace {
 struct Sweep {
   const char* name;
   void (*run)(State&);
-  kernels::Terms terms;
+  kernels::TermSet (*terms)(kernels::TermSet of_scene);
 };
-constexpr Sweep fused{"fused", sweep_all, kernels::Terms::fused};
-constexpr Sweep gradient{"gradient", sweep_gradient, kernels::Terms::gradient};
-constexpr Sweep force{"force", sweep_force, kernels::Terms::force};
+constexpr Sweep fused{"fused", sweep_all, [](kernels::TermSet all) { return all; }};
+constexpr Sweep gradient{"gradient", sweep_gradient, kernels::gradient_terms};
+constexpr Sweep force{"force", sweep_force, kernels::force_terms};
 
 /// What a benchmark runs on: a block, in tension throughout or in compression, under a name.
 struct Body {
@@ -42,12 +42,6 @@ Body plain_body(SmoothingFunction smoothing) {
             preset("paper")};
   body.numerics.smoothing = smoothing;
   body.numerics.artificial_stress = 0.0;
-  return body;
-}
-Body inviscid_body() {
-  Body body = plain_body(SmoothingFunction::yang_liu);
-  body.name += "-viscosity";
-  body.numerics.viscosity_alpha = body.numerics.viscosity_beta = 0.0;
   return body;
 }
 /// Artificial stress compiled in: skipped in compression, at work everywhere in tension.
@@ -82,9 +76,10 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   State& state = cached_block(options, key);
   const auto particles = static_cast<double>(state.particles.count());
   const auto pairs = static_cast<double>(true_pairs(state));
-  const int flops = pair_flops({options.dimension, sweep.terms, state.kernels.viscosity,
-                                options.tension, state.kernels.correction, state.kernels.diffusion,
-                                sweep.terms != kernels::Terms::force && !state.kernels.correction});
+  // Of soil in compression the terms that read the second line are skipped.
+  kernels::TermSet terms = sweep.terms(state.kernels.terms);
+  if (!options.tension) terms = terms.without(kernels::second_terms(kernels::PairTerms{}));
+  const int flops = kernels::pair_flops(kernels::PairTerms{}, options.dimension, terms);
   // Twice as many lanes in single precision, at the same rate.
   const double lanes = state.scene.numerics.precision == Precision::mixed ? 2.0 : 1.0;
   const double peak = lanes * fma_peak(state.kernels.table->isa) * options.threads;
@@ -126,7 +121,6 @@ void add_core(const BlockOptions& options) {
 }
 
 void add_bodies(const BlockOptions& options) {
-  add(fused, inviscid_body(), options);
   add(fused, tensile_body(false), options);
   add(fused, tensile_body(true), options);
   for (const SmoothingFunction smoothing :

@@ -22,6 +22,7 @@ set(scarp_public_headers
   engine/output/run_writer.hpp
   engine/output/text_file.hpp
   engine/particles/field_view.hpp
+  engine/particles/particles.hpp
   engine/particles/probe_sample.hpp
   engine/run/checkpoint_writer.hpp
   engine/run/recovery.hpp

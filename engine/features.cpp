@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "engine/state.hpp"
+#include "kernels/pair/term_rows.hpp"
 
 namespace scarp {
 
@@ -24,7 +25,7 @@ std::string models_of(const Scene& scene) {
 std::vector<UsedFeature> used_features(const State& state) {
   const Numerics& n = state.scene.numerics;
   const bool three = state.scene.dimension == 3;
-  const auto bytes = [&](std::initializer_list<Field> fields) {
+  const auto bytes = [&](const std::vector<Field>& fields) {
     int stored = 0;
     for (const Field field : fields) {
       for (int c = 0; c < component_count(row(field).rank); ++c) {
@@ -36,20 +37,19 @@ std::vector<UsedFeature> used_features(const State& state) {
   const bool plastic = std::any_of(state.scene.materials.begin(), state.scene.materials.end(),
                                    [](const Material& m) { return m.model.yields(); });
   const bool verlet = n.integrator == Integrator::verlet;
-  return {
+  std::vector<UsedFeature> features{
       {"third dimension", three,
-       three ? "3D sweep" : "2D sweep: z, yz and zx are neither stored nor summed"},
-      {"artificial viscosity", state.kernels.viscosity,
-       "Eq. 26, compiled into the sweep only where used"},
-      {"artificial stress", state.kernels.artificial_stress,
-       state.kernels.artificial_stress
-           ? "skipped at run time where no particle of a block is in tension"
-           : "no tension test, no tension records (64 bytes per particle)"},
-      {"gradient correction", n.gradient_correction,
-       "moment of the corrected gradient, " + bytes({Field::moment}) +
-           "; the density rate follows from it and is not summed"},
-      {"stress diffusion", state.kernels.diffusion,
-       bytes({Field::diffusivity, Field::diffusion_rate, Field::diffusion_slope})},
+       three ? "3D sweep" : "2D sweep: z, yz and zx are neither stored nor summed"}};
+  for (const kernels::TermRow& row : kernels::term_rows) {
+    if (*row.text == '\0') continue;
+    const bool used = state.kernels.terms.has(row.term);
+    std::string note = !used && *row.left_out != '\0' ? row.left_out : row.text;
+    note += fmt::format("; {} flops a pair", row.flops(state.scene.dimension));
+    const std::vector<Field> fields = fields_of({row.term});
+    if (!fields.empty()) note += ", " + bytes(fields);
+    features.push_back({row.name, used, std::move(note)});
+  }
+  const std::vector<UsedFeature> others{
       {"lattice normalisation", n.lattice_normalisation, "folded into the particle volumes: free"},
       {"plasticity", plastic,
        plastic ? fmt::format("passes of {}, {} bytes of history per particle",
@@ -73,6 +73,8 @@ std::vector<UsedFeature> used_features(const State& state) {
        bytes({Field::stress_work, Field::plastic_work, Field::diffusion_work}) +
            ", one to three more force sweeps every 10 steps"},
   };
+  features.insert(features.end(), others.begin(), others.end());
+  return features;
 }
 
 }  // namespace scarp

@@ -28,58 +28,19 @@ bool any_yields(const Scene& scene) {
                      [](const Material& material) { return material.model.yields(); });
 }
 
-ChosenKernels choose_kernels(const Scene& scene, const kernels::KernelTable& table) {
-  const Numerics& n = scene.numerics;
-  ChosenKernels chosen;
-  chosen.table = &table;
-  chosen.cluster_size =
-      n.precision == Precision::mixed ? table.mixed_cluster_size : table.cluster_size;
-  chosen.artificial_stress = n.artificial_stress > 0.0;
-  chosen.viscosity = n.viscosity_alpha > 0.0 || n.viscosity_beta > 0.0;
-  // It quiets soil that flows; elastic bodies do not, and in them it feeds noise (`disc_rotation`).
-  chosen.diffusion = n.stress_diffusion > 0.0 && any_yields(scene);
-  chosen.correction = n.gradient_correction;
-  const auto sweep = [&](kernels::Terms terms, bool artificial_stress) {
-    const bool force = terms != kernels::Terms::gradient;
-    const bool gradient = terms != kernels::Terms::force;
-    const kernels::SweepVariant wanted{scene.dimension,
-                                       terms,
-                                       force && chosen.viscosity,
-                                       force && artificial_stress,
-                                       gradient && chosen.correction,
-                                       gradient && chosen.diffusion,
-                                       gradient && !chosen.correction};
-    if (n.precision == Precision::mixed) return ChosenSweep{nullptr, table.mixed_sweep_for(wanted)};
-    return ChosenSweep{table.sweep_for(wanted), nullptr};
-  };
-  if (n.integrator == Integrator::verlet) {
-    chosen.fused = sweep(kernels::Terms::fused, chosen.artificial_stress);
-    chosen.fused_in_compression = sweep(kernels::Terms::fused, false);
-  }
-  chosen.gradient = sweep(kernels::Terms::gradient, false);
-  chosen.force = sweep(kernels::Terms::force, chosen.artificial_stress);
-  chosen.force_in_compression = sweep(kernels::Terms::force, false);
-  return chosen;
-}
-
 std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) {
-  std::vector<Field> used{Field::position,     Field::velocity,           Field::density,
-                          Field::stress,       Field::reference_position, Field::build_position,
-                          Field::acceleration, Field::velocity_gradient};
+  std::vector<Field> used(fields_of_every_run.begin(), fields_of_every_run.end());
   const auto add = [&used](bool wanted, std::initializer_list<Field> fields) {
     if (wanted) used.insert(used.end(), fields);
   };
-  const Numerics& n = scene.numerics;
-  const bool plastic = any_yields(scene);
-  add(n.integrator == Integrator::verlet,
+  const std::vector<Field> of_terms = fields_of(chosen.terms);
+  used.insert(used.end(), of_terms.begin(), of_terms.end());
+  const bool energy = scene.output.energy;
+  add(scene.numerics.integrator == Integrator::verlet,
       {Field::previous_velocity, Field::previous_density, Field::previous_stress});
-  add(!n.gradient_correction, {Field::density_rate});
-  add(n.gradient_correction, {Field::moment});
-  add(chosen.viscosity, {Field::approach_rate});
-  add(chosen.diffusion, {Field::diffusivity, Field::diffusion_rate, Field::diffusion_slope});
-  add(scene.output.energy, {Field::stress_work});
-  add(scene.output.energy && plastic, {Field::plastic_work});
-  add(scene.output.energy && chosen.diffusion, {Field::diffusion_work});
+  add(energy, {Field::stress_work});
+  add(energy && any_yields(scene), {Field::plastic_work});
+  add(energy && chosen.terms.has(kernels::Term::diffusion), {Field::diffusion_work});
   return used;
 }
 
@@ -113,7 +74,15 @@ std::array<double, 6> geostatic_stress(double pressure, double k0, const Vec3& u
   return stress;
 }
 
-void fill_particles(State& state, const SoilPoints& soil) {
+/// The particles of a material, on the scene's lattice.
+ParticleKind kind_of(const Scene& scene, std::size_t material) {
+  const double volume = std::pow(scene.spacing, scene.dimension);
+  const double density = scene.materials[material].density;
+  return {material, density,         scene.spacing, scene.numerics.smoothing_ratio * scene.spacing,
+          volume,   density * volume};
+}
+
+void fill_particles(State& state, const Particles& soil) {
   const Scene& scene = state.scene;
   const int dimension = scene.dimension;
   std::vector<ParticleGroup> groups;
@@ -121,32 +90,37 @@ void fill_particles(State& state, const SoilPoints& soil) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const auto count = std::count(soil.material.begin(), soil.material.end(), m);
     if (count == 0) continue;
-    groups.push_back({first, count, padded(count), m, scene.materials[m].density});
+    groups.push_back({kind_of(scene, m), first, count, padded(count)});
     first += padded(count);
   }
   state.particles =
       ParticleBuffers(dimension, groups, used_fields(scene, state.kernels), history_rows(scene));
   ParticleBuffers& p = state.particles;
   std::vector<SoilAbove> above;
-  if (scene.initial_stress == InitialStress::geostatic)
+  if (scene.initial_stress == InitialStress::geostatic && soil.stress.empty())
     above = soil_above(scene, soil, state.threads);
   const Vec3 up = upward(scene);
   for (const ParticleGroup& group : groups) {
     const double k0 = state.material_constants[group.material].k0;
     std::int64_t slot = group.first;
-    for (std::size_t id = 0; id < soil.position.size(); ++id) {
-      if (soil.material[id] != group.material) continue;
-      p.ids()[static_cast<std::size_t>(slot)] = static_cast<std::int64_t>(id);
+    for (std::size_t k = 0; k < soil.position.size(); ++k) {
+      if (soil.material[k] != group.material) continue;
+      p.ids()[static_cast<std::size_t>(slot)] = soil.id[k];
       for (int a = 0; a < dimension; ++a) {
         const auto axis = static_cast<std::size_t>(a);
-        p.component(Field::position, a)[slot] = soil.position[id][axis];
-        p.component(Field::velocity, a)[slot] = soil.velocity[id][axis];
+        p.component(Field::position, a)[slot] = soil.position[k][axis];
+        p.component(Field::velocity, a)[slot] = soil.velocity[k][axis];
       }
-      std::array<double, 6> stress = scene.uniform_stress;
-      if (!above.empty()) stress = geostatic_stress(above[id].pressure, k0, up);
-      if (scene.initial_stress != InitialStress::zero) {
-        for (int c = 0; c < (dimension == 2 ? 4 : 6); ++c)
-          p.component(Field::stress, c)[slot] = stress[static_cast<std::size_t>(c)];
+      std::array<double, 6> stress{};
+      if (scene.initial_stress == InitialStress::uniform) stress = scene.uniform_stress;
+      if (!soil.stress.empty()) stress = soil.stress[k];
+      if (!above.empty()) stress = geostatic_stress(above[k].pressure, k0, up);
+      for (int c = 0; c < (dimension == 2 ? 4 : 6); ++c)
+        p.component(Field::stress, c)[slot] = stress[static_cast<std::size_t>(c)];
+      if (!soil.density.empty()) {
+        for (const Field field : {Field::density, Field::previous_density}) {
+          if (p.has(field)) p.component(field)[slot] = soil.density[k];
+        }
       }
       ++slot;
     }
@@ -182,7 +156,8 @@ void set_pair_constants(State& state) {
   c.viscosity_beta = n.viscosity_beta;
   for (std::size_t a = 0; a < 3; ++a)
     c.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
-  if (state.kernels.artificial_stress) c.tension_factor = tension_factor_of(n).factor;
+  if (state.kernels.terms.has(kernels::Term::artificial_stress))
+    c.tension_factor = tension_factor_of(n).factor;
 }
 
 }  // namespace
@@ -212,7 +187,6 @@ kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Mat
   c.reference_density = material.density;
   c.density_minimum = n.density_minimum * material.density;
   c.density_maximum = n.density_maximum * material.density;
-  c.smoothing_length = n.smoothing_ratio * scene.spacing;
   c.diffusion_cap = material.model.yields() ? n.stress_diffusion : 0.0;
   c.diffusion_shear_gate = n.diffusion_shear_gate;
   std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
@@ -259,8 +233,8 @@ Team make_team(const RunOptions& options) {
 
 }  // namespace
 
-State make_state(Scene scene, const RunOptions& options) {
-  validate(scene);
+State make_state(Scene scene, const RunOptions& options, const Particles* particles) {
+  validate(scene, particles == nullptr);
   State state;
   state.scene = std::move(scene);
   close_narrow_gaps(state.scene);
@@ -270,24 +244,24 @@ State make_state(Scene scene, const RunOptions& options) {
   state.threads = state.team.threads();
   const Numerics& n = state.scene.numerics;
   const int dimension = state.scene.dimension;
-  state.kernels = choose_kernels(state.scene, choose_table(options));
+  state.kernels = choose_kernels(state.scene, any_yields(state.scene), choose_table(options));
   state.smoothing_length = n.smoothing_ratio * state.scene.spacing;
   const LatticeSums sums = lattice_sums(smoothing_of(n), n.smoothing_ratio, dimension);
   state.lattice_moment = sums.moment;
   state.limits.acoustic_cfl = acoustic_cfl_limit(n, sums);
-  state.limits.dissipation = dissipation_rates(n, sums, state.kernels.diffusion);
-  state.particle_volume = std::pow(state.scene.spacing, dimension);
+  state.limits.damping_rates = damping_rates(n, sums, state.kernels.settings);
   state.scaling.inverse_smoothing_length = 1.0 / state.smoothing_length;
   state.scaling.gradient_factor = smoothing_of(n).normalisation(dimension) /
                                   std::pow(state.smoothing_length, dimension + 1) /
                                   (n.lattice_normalisation ? state.lattice_moment : 1.0);
   set_material_constants(state);
   for (const Material& material : state.scene.materials) {
-    state.scaling.mass.push_back(material.density * state.particle_volume);
     state.scaling.wave_modulus.push_back(material.model.moduli().wave_modulus());
   }
   set_pair_constants(state);
-  const SoilPoints soil = generate_soil(state.scene, state.options.stop);
+  const Particles soil =
+      completed(state.scene,
+                particles != nullptr ? *particles : generate_soil(state.scene, state.options.stop));
   check_wall_clearance(state.scene, soil, state.options.stop);
   state.boundary.surface = WallSurface(state.scene);
   state.boundary.dummies = generate_dummies(state.scene, state.options.stop);
@@ -302,8 +276,8 @@ State make_state(Scene scene, const RunOptions& options) {
   stop_if_asked(state.options.stop);
   for (const Probe& probe : state.scene.probes) {
     const ChosenParticle chosen = particle_of_probe(state.scene, soil, probe);
-    state.probe_particles.push_back({probe.name, static_cast<std::int64_t>(chosen.id),
-                                     soil.position[chosen.id], chosen.distance, chosen.tied});
+    state.probe_particles.push_back(
+        {probe.name, soil.id[chosen.id], soil.position[chosen.id], chosen.distance, chosen.tied});
   }
   start_ledger(state);
   return state;

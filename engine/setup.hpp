@@ -2,6 +2,7 @@
 /// Set-up of a run: a scene becomes a state.
 #pragma once
 
+#include "engine/particles/particles.hpp"
 #include "engine/run_options.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/state.hpp"
@@ -9,9 +10,11 @@
 
 namespace scarp {
 
-State make_state(Scene scene, const RunOptions& options);
+/// The soil is that of the scene's bodies, or `particles`.
+State make_state(Scene scene, const RunOptions& options, const Particles* particles = nullptr);
 void set_material_constants(State& state);  ///< for the strength reduction of the current stage
-/// Of one material; the step's own, `leap` and `plastic_share`, stay 0.
+/// Of one material; the step's own, `leap` and `plastic_share`, and the group's smoothing length
+/// stay 0.
 kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Material& material,
                                                    double strength_reduction);
 /// The instruction set asked for, else the best. Errors: SceneError.

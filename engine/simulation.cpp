@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -64,13 +65,26 @@ struct Simulation::Impl {
 
   State state;
   PhaseRunner runner;
-  std::vector<std::int64_t> slot_of_id() const {
-    std::vector<std::int64_t> slots(static_cast<std::size_t>(state.particles.count()));
+  /// Slots of all particles in ascending order of their ids.
+  std::vector<std::int64_t> slots_by_id() const {
     const auto& ids = state.particles.ids();
-    for (std::size_t slot = 0; slot < ids.size(); ++slot) {
-      if (ids[slot] >= 0)
-        slots[static_cast<std::size_t>(ids[slot])] = static_cast<std::int64_t>(slot);
+    std::vector<std::int64_t> slots;
+    std::int64_t last = -1;
+    for (const ParticleGroup& group : state.particles.groups()) {
+      for (std::int64_t k = group.first; k < group.end(); ++k) {
+        slots.push_back(k);
+        last = std::max(last, ids[static_cast<std::size_t>(k)]);
+      }
     }
+    if (last + 1 == std::ssize(slots)) {  // no gaps: each id is a place
+      const std::vector<std::int64_t> all = slots;
+      for (const std::int64_t slot : all)
+        slots[static_cast<std::size_t>(ids[static_cast<std::size_t>(slot)])] = slot;
+      return slots;
+    }
+    std::sort(slots.begin(), slots.end(), [&ids](std::int64_t a, std::int64_t b) {
+      return ids[static_cast<std::size_t>(a)] < ids[static_cast<std::size_t>(b)];
+    });
     return slots;
   }
 };
@@ -80,6 +94,14 @@ Simulation::Simulation(Scene scene, const RunOptions& options)
 Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options) {
   if (options.isa.empty()) options.isa = snapshot.text("isa");
   impl_ = std::make_unique<Impl>(make_state(std::move(scene), options));
+  apply_snapshot(impl_->state, snapshot);
+}
+Simulation::Simulation(Scene scene, const Particles& particles, const RunOptions& options)
+    : impl_(std::make_unique<Impl>(make_state(std::move(scene), options, &particles))) {}
+Simulation::Simulation(Scene scene, const Particles& particles, const Snapshot& snapshot,
+                       RunOptions options) {
+  if (options.isa.empty()) options.isa = snapshot.text("isa");
+  impl_ = std::make_unique<Impl>(make_state(std::move(scene), options, &particles));
   apply_snapshot(impl_->state, snapshot);
 }
 Simulation::~Simulation() = default;
@@ -105,7 +127,7 @@ void Simulation::set_following_stages(std::vector<Stage> stages) {
   Scene changed = state.scene;
   changed.stages.resize(state.stage.index + 1);
   changed.stages.insert(changed.stages.end(), stages.begin(), stages.end());
-  validate(changed);
+  validate(changed, !state.scene.bodies.empty());
   state.scene = std::move(changed);
 }
 
@@ -177,7 +199,7 @@ std::vector<double> Simulation::field(std::string_view name) const {
       continue;
     }
     std::vector<double> values;
-    for (const std::int64_t slot : owned(impl_).slot_of_id()) {
+    for (const std::int64_t slot : owned(impl_).slots_by_id()) {
       for (int c = 0; c < component_count(field.rank); ++c)
         values.push_back(from.value(field, slot, c));
     }
@@ -192,8 +214,17 @@ FieldView Simulation::view(std::string_view name) const {
 
 void Simulation::set_field(std::string_view name, std::span<const double> values) {
   Impl& impl = owned(impl_);
-  write_field(impl.state.particles, name, impl.slot_of_id(), values);
+  write_field(impl.state.particles, name, impl.slots_by_id(), values);
   impl.runner.renew(impl.state);
+}
+
+std::vector<std::int64_t> Simulation::ids() const {
+  std::vector<std::int64_t> ids;
+  for (const std::int64_t id : owned(impl_).state.particles.ids()) {
+    if (id >= 0) ids.push_back(id);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
 }
 
 std::vector<double> Simulation::wall_positions() const {
@@ -260,6 +291,8 @@ const std::vector<ProbeParticle>& Simulation::probe_particles() const {
   return owned(impl_).state.probe_particles;
 }
 
+double Simulation::spacing() const { return owned(impl_).state.particles.largest_spacing(); }
+double Simulation::soil_mass() const { return owned(impl_).state.particles.mass(); }
 double Simulation::smoothing_length() const { return owned(impl_).state.smoothing_length; }
 double Simulation::acoustic_cfl_limit() const { return owned(impl_).state.limits.acoustic_cfl; }
 double Simulation::lattice_moment() const { return owned(impl_).state.lattice_moment; }
@@ -270,9 +303,11 @@ std::size_t Simulation::memory_bytes() const {
   const State& s = owned(impl_).state;
   const Boundary& b = s.boundary;
   const Neighbours& n = s.neighbours;
-  return s.particles.bytes() + s.sweep.records.bytes() + s.sweep.narrow_records.bytes() +
-         b.walls.bytes() + b.images.bytes() + n.lists.bytes() + n.wall_lists.bytes() +
-         n.soil_cells.bytes() + n.image_cells.bytes() + n.wall_cells.bytes();
+  std::size_t cells = 0;
+  for (const CellGrid& grid : n.cells) cells += grid.bytes();
+  return s.particles.bytes() + s.ghosts.bytes() + s.sweep.records.bytes() +
+         s.sweep.narrow_records.bytes() + b.walls.bytes() + b.images.bytes() + n.lists.bytes() +
+         n.wall_lists.bytes() + cells;
 }
 std::uint64_t Simulation::rebuild_count() const { return owned(impl_).state.neighbours.rebuilds; }
 std::uint64_t Simulation::density_bound_count() const {

@@ -16,6 +16,7 @@
 #include "engine/features.hpp"
 #include "engine/integrate/step_report.hpp"
 #include "engine/particles/field_view.hpp"
+#include "engine/particles/particles.hpp"
 #include "engine/particles/probe_sample.hpp"
 #include "engine/run_options.hpp"
 #include "engine/scene/scene.hpp"
@@ -41,10 +42,15 @@ struct FieldInfo {
 class Simulation {
  public:
   explicit Simulation(Scene scene, const RunOptions& options = {});
+  /// The soil is `particles`, in place of bodies, of which the scene then needs none. Errors:
+  /// SceneError (`completed`).
+  Simulation(Scene scene, const Particles& particles, const RunOptions& options = {});
   /// Goes on from a snapshot of the same scene, bit for bit with any number of threads and the
   /// snapshot's instruction set, which an empty `RunOptions::isa` means here. Forces on walls are
   /// those of the present positions until the next step. Errors: CheckpointError.
   Simulation(Scene scene, const Snapshot& snapshot, RunOptions options = {});
+  Simulation(Scene scene, const Particles& particles, const Snapshot& snapshot,
+             RunOptions options = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -98,6 +104,8 @@ class Simulation {
   /// stage. Errors: Error, before anything is changed, for another name, another count, and
   /// values that are not finite.
   void set_field(std::string_view name, std::span<const double> values);
+  /// The permanent ids of all particles, ascending: the order of `field`.
+  std::vector<std::int64_t> ids() const;
   std::vector<double> wall_positions() const;  ///< 3 per dummy particle
 
   /// Looks at the present state as `step()` does every 50 steps. Errors: SimulationInstability.
@@ -111,6 +119,8 @@ class Simulation {
   const std::vector<ProbeParticle>& probe_particles() const;
 
   double smoothing_length() const;
+  double spacing() const;    ///< of the particles, the largest of all groups [m]
+  double soil_mass() const;  ///< [kg, per metre in 2D]
   /// Largest CFL number for sound on the undisturbed lattice, in closed form (T1).
   double acoustic_cfl_limit() const;
   double lattice_moment() const;  ///< M of the undisturbed lattice for this smoothing function

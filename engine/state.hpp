@@ -2,6 +2,7 @@
 /// Everything a run consists of, by what each folder owns.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -30,9 +31,9 @@ struct State {
   ChosenKernels kernels;
   double smoothing_length = 0.0;
   double lattice_moment = 1.0;
-  double particle_volume = 0.0;  ///< dx^d
 
   ParticleBuffers particles;
+  ParticleBuffers ghosts;  ///< soil near the own that somebody else moves; neighbours only
   RecordScaling scaling;
   SweepInput sweep;
   Neighbours neighbours;
@@ -47,11 +48,11 @@ struct State {
   StepReport report;
   EnergyLedger ledger;
   LostSoil lost;
-  std::vector<bool> lost_ids;  ///< by id; empty: none is lost
+  std::vector<std::int64_t> lost_ids;  ///< ascending
 
   bool is_lost(std::int64_t slot) const {
-    return !lost_ids.empty() &&
-           lost_ids[static_cast<std::size_t>(particles.ids()[static_cast<std::size_t>(slot)])];
+    return !lost_ids.empty() && std::binary_search(lost_ids.begin(), lost_ids.end(),
+                                                   particles.ids()[static_cast<std::size_t>(slot)]);
   }
 };
 

@@ -10,9 +10,6 @@
 
 namespace scarp::kernels {
 
-/// Rates a sweep gathers: all at once (Verlet), or one half each (kick-drift-kick).
-enum class Terms { fused, gradient, force };
-
 /// Order of the components of a symmetric tensor everywhere; 2D uses the first four.
 enum Component { xx, yy, zz, xy, yz, zx };
 
@@ -59,8 +56,11 @@ inline constexpr double smallest_moment_determinant = Dim == 2 ? 0.1 : 0.01;
 inline constexpr double extrapolation_limit = 0.8;
 inline constexpr double extrapolation_limit_near_edge = 0.5;
 
-/// Artificial stress of particle j times its density (Eq. 27), six components and two of padding.
-inline constexpr int tension_record_size = 8;
+/// A second line of a record for terms that need more of particle j: each has its own values there
+/// (PairTerm::second_slots). Packed only where a term of the run reads it.
+inline constexpr int second_record_size = 8;
+/// Values by particle that all pair terms of a sweep may write together.
+inline constexpr int most_outputs = 32;
 
 /// Wall face of a dummy particle: unit normal towards the soil, distance behind the face in units
 /// of h, limit of its extrapolation.
@@ -120,19 +120,15 @@ struct PairConstants {
 /// SI; a null pointer leaves one out.
 template <class Real>
 struct PairSweepView {
-  const Real* records;          ///< soil, dummies, mirror images, far record; x record_size
-  const Real* tension_records;  ///< x tension_record_size; null: no artificial stress
-  const std::uint8_t* tension;  ///< 1 where the tension record is not zero
+  const Real* records;           ///< soil, dummies, mirror images, far record; x record_size
+  const Real* second;            ///< second lines, x second_record_size; null: no term reads them
+  const std::uint8_t* marked;    ///< 1 where the second line is not zero
+  const std::int32_t* clusters;  ///< the active ones
   NeighbourView neighbours;
   PairConstants<Real> constants;
   double smoothing_length;
-  double* density_rate;          ///< Eq. 19 [kg/m3/s]
-  double* velocity_gradient[9];  ///< L_ab = dv_a/dx_b, row-major 3 x 3 [1/s]
-  double* moment[6];             ///< sum_j V_j (x_j - x_i) grad W [-]
-  double* acceleration[3];       ///< Eq. 20 without gravity [m/s2]
-  double* approach_rate;         ///< max_j of -mu_ij of Eq. 26, >= 0 [m/s]
-  double* diffusion_rate[6];  ///< stress rate of the diffusion before its lithostatic part [Pa/s]
-  double* diffusion_slope;    ///< sum of its weights times g.(x_i - x_j) [m2/s3]
+  /// What each term of `PairTerms` writes, component by component (`output_place`).
+  double* output[most_outputs];
 };
 
 /// State and rates of a range of particles for the stress pass and the update; SoA, SI, null where

@@ -288,7 +288,9 @@ int wall_layers(const Scene& scene) {
 }
 
 WallDummies generate_dummies(const Scene& scene, const std::function<bool()>& stop) {
-  return DummyLayout(scene).lay(stop);
+  WallDummies dummies = DummyLayout(scene).lay(stop);
+  dummies.corner_reach = corner_reach(scene);
+  return dummies;
 }
 
 }  // namespace scarp

@@ -19,6 +19,7 @@ struct WallDummies {
   std::vector<std::size_t> wall;  ///< index into Scene::walls
   std::vector<bool> near_edge;    ///< whether its wall ends within reach of the soil over it
   std::vector<SmoothCorner> beside_smooth;  ///< those that come and go with a free-slip face
+  CornerReach corner_reach;                 ///< of such faces
 };
 
 /// Layers of dummies that the support 2h needs; a soil particle that touches the face still sees it

@@ -60,7 +60,6 @@ void hold_off_faces(State& state) {
   const kernels::NeighbourView lists = state.neighbours.lists.view();
   const std::int64_t size = state.kernels.cluster_size;
   const int dimension = state.scene.dimension;
-  const double spacing = state.scene.spacing;
   std::array<const double*, 3> position{};
   std::array<double*, 3> velocity{};
   for (int a = 0; a < dimension; ++a) {
@@ -70,8 +69,11 @@ void hold_off_faces(State& state) {
   const WallSurface& surface = state.boundary.surface;
   const std::vector<std::uint32_t> few = surface.all_if_few(state.boundary.stands);
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
-  const double reach = std::max(nearest, -deepest) * spacing * (1.0 + 1e-6);
-  const auto hold = [&](std::int64_t k, double mass, Holds& holds, FacetSearch& search) {
+  const double reach =
+      std::max(nearest, -deepest) * state.particles.largest_spacing() * (1.0 + 1e-6);
+  const auto hold = [&](std::int64_t k, const ParticleGroup& group, Holds& holds,
+                        FacetSearch& search) {
+    const double spacing = group.spacing;
     Vec3 x{}, v{};
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
       x[a] = position[a][k];
@@ -92,7 +94,7 @@ void hold_off_faces(State& state) {
         if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
         v = plus(v, approach, facet.normal);
         held = true;
-        holds.add(w, walls, plus({}, -mass * approach, facet.normal));
+        holds.add(w, walls, plus({}, -group.mass * approach, facet.normal));
         ++faces;
       }
     }
@@ -107,9 +109,8 @@ void hold_off_faces(State& state) {
       const bool has_dummies = lists.wall_begin[cluster] != lists.soil_begin[cluster + 1];
       if (!has_dummies && !state.boundary.images.is_close(cluster * size, size)) continue;
       const ParticleGroup& group = state.particles.group_of(cluster * size);
-      const double mass = state.scaling.mass[group.material];
       const std::int64_t last = std::min((cluster + 1) * size, group.end());
-      for (std::int64_t k = cluster * size; k < last; ++k) hold(k, mass, holds, search);
+      for (std::int64_t k = cluster * size; k < last; ++k) hold(k, group, holds, search);
     }
     return holds;
   };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "kernels/pair/term_rows.hpp"
 #include "kernels/tensor.hpp"
 
 namespace scarp {
@@ -126,12 +127,12 @@ bool MirrorImages::is_close(std::int64_t slot, std::int64_t count) const {
 void MirrorImages::pack(Records& records, double inverse_smoothing_length,
                         const std::vector<Vec3>& wall_offset,
                         const std::vector<Vec3>& wall_velocity, const Vec3& gravity) const {
+  const std::int64_t first = records.layout()[Role::image].first;
   for (std::size_t g = 0; g < images_.size(); ++g) {
     const Image& image = images_[g];
-    const std::int64_t source =
-        image.source >= 0 ? image.source : records.first_image() - 1 - image.source;
+    const std::int64_t source = image.source >= 0 ? image.source : first - 1 - image.source;
     const double* from = records.record(source);
-    double* to = records.record(records.first_image() + static_cast<std::int64_t>(g));
+    double* to = records.record(first + static_cast<std::int64_t>(g));
     std::copy_n(from, record_size, to);
     double distance = 0.0, velocity = 0.0;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -150,17 +151,19 @@ void MirrorImages::pack(Records& records, double inverse_smoothing_length,
   }
 }
 
-void MirrorImages::pack_tension(Records& records) const {
+void MirrorImages::pack_second(Records& records, kernels::TermSet terms) const {
+  const std::int64_t first = records.layout()[Role::image].first;
   for (std::size_t g = 0; g < images_.size(); ++g) {
     const Image& image = images_[g];
-    const std::int64_t source =
-        image.source >= 0 ? image.source : records.first_image() - 1 - image.source;
-    const std::int64_t target = records.first_image() + static_cast<std::int64_t>(g);
-    if (records.tension(source) == 0 && records.tension(target) == 0) continue;
-    records.tension(target) = records.tension(source);
-    std::copy_n(records.tension_record(source), tension_record_size,
-                records.tension_record(target));
-    reflect_tensor(records.tension_record(target), image.normal);
+    const std::int64_t source = image.source >= 0 ? image.source : first - 1 - image.source;
+    const std::int64_t target = first + static_cast<std::int64_t>(g);
+    if (records.mark(source) == 0 && records.mark(target) == 0) continue;
+    records.mark(target) = records.mark(source);
+    std::copy_n(records.second(source), second_record_size, records.second(target));
+    for (const TermRow& row : term_rows) {
+      if (terms.has(row.term) && row.second_slots > 0 && row.second_rank == SecondRank::tensor)
+        reflect_tensor(records.second(target) + row.first_second, image.normal);
+    }
   }
 }
 

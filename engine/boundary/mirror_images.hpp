@@ -43,8 +43,8 @@ class MirrorImages {
   /// Records of the images from those of their sources.
   void pack(Records& records, double inverse_smoothing_length, const std::vector<Vec3>& wall_offset,
             const std::vector<Vec3>& wall_velocity, const Vec3& gravity) const;
-  /// Artificial stress of the images from that of their sources.
-  void pack_tension(Records& records) const;
+  /// Second lines of the images from those of their sources.
+  void pack_second(Records& records, kernels::TermSet terms) const;
   std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
 
  private:

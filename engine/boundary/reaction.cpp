@@ -14,9 +14,11 @@ Vec3 total_force(const State& state, const kernels::PairSweepView<double>& view,
   sweep_force_with(state, view, narrow);
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::size_t a = 0; a < static_cast<std::size_t>(state.scene.dimension); ++a) {
+      const double* acceleration =
+          view.output[output_place(Field::acceleration) + static_cast<int>(a)];
       double part = 0.0;
-      for (std::int64_t k = group.first; k < group.end(); ++k) part += view.acceleration[a][k];
-      sum[a] += state.scaling.mass[group.material] * part;
+      for (std::int64_t k = group.first; k < group.end(); ++k) part += acceleration[k];
+      sum[a] += group.mass * part;
     }
   }
   return sum;
@@ -34,20 +36,21 @@ std::vector<WallReaction> wall_reactions(const State& state) {
   AlignedVector<double> acceleration[3];
   NarrowRecords narrow;
   kernels::PairSweepView<double> view = sweep_input_view(state);
-  // As in the step's own sweep; empty tension records leave the force as it is.
-  state.sweep.records.fill(view, state.sweep.records.has_tension_records());
+  // As in the step's own sweep; second lines of zeros leave the force as it is.
+  state.sweep.records.fill(view, state.sweep.records.has_second());
+  double** out = view.output + output_place(Field::acceleration);
   for (std::size_t a = 0; a < 3; ++a) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
-    view.acceleration[a] = acceleration[a].data();
+    out[a] = acceleration[a].data();
   }
   const Vec3 with_all = total_force(state, view, narrow);
   const Boundary& boundary = state.boundary;
-  const std::int64_t slots = state.sweep.records.far_record() + 1;
+  const RecordLayout& layout = state.sweep.records.layout();
   const double* const records = view.records;
   for (std::size_t w = 0; w < reactions.size(); ++w) {
     if (!boundary.stands[w]) continue;
     reactions[w].force = boundary.hold_force[w];
-    AlignedVector<double> masked(records, records + slots * kernels::record_size);
+    AlignedVector<double> masked(records, records + layout.records() * kernels::record_size);
     bool any = false;
     const auto mask = [&](std::int64_t record) {
       masked[static_cast<std::size_t>(record * kernels::record_size + kernels::record_volume)] =
@@ -55,10 +58,10 @@ std::vector<WallReaction> wall_reactions(const State& state) {
       any = true;
     };
     for (std::int64_t k = 0; k < boundary.walls.count(); ++k) {
-      if (boundary.walls.wall_of(k) == w) mask(state.sweep.records.first_wall() + k);
+      if (boundary.walls.wall_of(k) == w) mask(layout[Role::dummy].first + k);
     }
     for (std::int64_t k = 0; k < boundary.images.count(); ++k) {
-      if (boundary.images.wall_of(k) == w) mask(state.sweep.records.first_image() + k);
+      if (boundary.images.wall_of(k) == w) mask(layout[Role::image].first + k);
     }
     if (!any) continue;
     view.records = masked.data();

@@ -22,14 +22,14 @@ using namespace geometry;
 namespace {
 
 /// Whether soil lies in front of the facet too, as near to it as what is seen through a wall.
-bool soil_in_front(const Facet& facet, int dimension, const SoilPoints& soil, double thickness) {
+bool soil_in_front(const Facet& facet, int dimension, const Particles& soil, double thickness) {
   return std::any_of(soil.position.begin(), soil.position.end(), [&](const Vec3& point) {
     const FacetCoordinates at = coordinates(facet, dimension, point);
     return at.depth < 0.0 && at.depth > -thickness && at.above(facet, 0.0);
   });
 }
 
-std::string advice(const Scene& scene, const Facet& facet, const SoilPoints& soil,
+std::string advice(const Scene& scene, const Facet& facet, const Particles& soil,
                    double thickness) {
   if (!soil_in_front(facet, scene.dimension, soil, thickness)) {
     return "Try to reverse the order of the line's points (in 3D: the normal), or move the body or "
@@ -44,7 +44,7 @@ std::string advice(const Scene& scene, const Facet& facet, const SoilPoints& soi
 
 }  // namespace
 
-void check_wall_clearance(const Scene& scene, const SoilPoints& soil,
+void check_wall_clearance(const Scene& scene, const Particles& soil,
                           const std::function<bool()>& stop) {
   const double tolerance = 1e-6 * scene.spacing;
   const double thickness = wall_layers(scene) * scene.spacing;

@@ -2,6 +2,8 @@
 /// The walls' phase of a step: dummies into the records, velocity and stress from the soil.
 #include "engine/boundary/boundary.hpp"
 
+#include <cmath>
+
 #include "engine/state.hpp"
 
 namespace scarp {
@@ -9,8 +11,8 @@ namespace {
 
 WallMaterial wall_material(const State& state) {
   const Material& material = state.scene.materials[state.boundary.material];
-  return {material.density, material.sound_speed(),
-          state.particle_volume * state.scaling.gradient_factor,
+  const double volume = std::pow(state.particles.largest_spacing(), state.scene.dimension);
+  return {material.density, material.sound_speed(), volume * state.scaling.gradient_factor,
           state.scaling.inverse_smoothing_length};
 }
 
@@ -22,7 +24,7 @@ void extrapolate_walls(State& state) {
   kernels::PairSweepView<double> records{};
   state.sweep.records.fill(records, false);
   view.records = records.records;
-  view.first_wall = state.sweep.records.first_wall();
+  view.first_wall = state.sweep.records.layout()[Role::dummy].first;
   view.neighbours = state.neighbours.wall_lists.view();
   view.smoothing = state.sweep.constants.smoothing;
   for (std::size_t a = 0; a < 3; ++a)

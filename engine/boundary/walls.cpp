@@ -41,6 +41,7 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     wall_.push_back(dummies.wall[source]);
     if (!place.empty()) place[source] = k;
   }
+  corner_reach_ = dummies.corner_reach;
   for (const SmoothCorner& corner : dummies.beside_smooth) {
     if (!stands[dummies.wall[corner.dummy]]) continue;
     beside_smooth_.push_back({place[corner.dummy], corner.over});
@@ -77,20 +78,19 @@ void Walls::move(std::size_t wall, const Vec3& step) {
 void Walls::choose_standing(const Scene& scene, const WallSurface& surface,
                             const WallPlacement& walls) {
   if (beside_smooth_.empty()) return;
-  const CornerReach reach = corner_reach(scene);
   FacetSearch search;
   absent_.assign(wall_.size(), false);
   for (const SmoothCorner& corner : beside_smooth_) {
     const std::size_t k = corner.dummy;
     const Vec3 point{position_[0][k], position_[1][k], position_[2][k]};
-    absent_[k] = !stands_in_corner(scene, surface, reach, corner, point, walls, search);
+    absent_[k] = !stands_in_corner(scene, surface, corner_reach_, corner, point, walls, search);
   }
 }
 
 void Walls::pack(Records& records, std::int64_t dummy, const WallMaterial& material,
                  const std::vector<Vec3>& wall_velocity) const {
   const auto k = static_cast<std::size_t>(dummy);
-  double* r = records.wall(dummy);
+  double* r = records.record(Role::dummy, dummy);
   for (std::size_t a = 0; a < 3; ++a) {
     r[record_x + a] = position_[a][k] * material.inverse_smoothing_length;
     r[record_velocity_x + a] = wall_velocity[wall_[k]][a];
@@ -120,7 +120,7 @@ void Walls::extrapolate(int threads, const KernelTable& kernels, int dimension,
       sweep(view, cluster, cluster + 1);
       for (std::int64_t k = first; k < last; ++k) {
         const auto dummy = static_cast<std::size_t>(k);
-        double* r = records.wall(k);
+        double* r = records.record(Role::dummy, k);
         for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
           r[record_velocity_x + a] = velocity_[a][dummy];
         for (std::size_t c = 0; c < components; ++c) r[record_stress + c] = stress_[c][dummy];

@@ -75,6 +75,7 @@ class Walls {
   AlignedVector<double> faces_;  ///< kernels::WallSlot
   std::vector<std::size_t> wall_;
   std::vector<SmoothCorner> beside_smooth_;
+  CornerReach corner_reach_;
   std::vector<bool> absent_;  ///< corners that are open now; empty if there are none
 };
 

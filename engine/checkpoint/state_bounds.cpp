@@ -24,7 +24,7 @@ void require_near(const Snapshot& from, const std::string& item, const State& st
   const std::vector<double>& stored =
       finite_numbers(from, item, static_cast<std::size_t>(state.scene.dimension) * slots);
   std::array<double, 3> low{}, high{};
-  double size = state.scene.spacing;
+  double size = p.largest_spacing();
   const auto each_axis_and_slot = [&](auto&& look) {
     for (int a = 0; a < state.scene.dimension; ++a) {
       for (const ParticleGroup& group : p.groups()) {

@@ -231,12 +231,8 @@ void put_walls(const Snapshot& from, State& state) {
 }
 
 void take_lost(Snapshot& out, const State& state) {
-  std::vector<std::int64_t> ids;
-  for (std::size_t id = 0; id < state.lost_ids.size(); ++id) {
-    if (state.lost_ids[id]) ids.push_back(static_cast<std::int64_t>(id));
-  }
   const LostSoil& lost = state.lost;
-  out.add("lost/ids", std::move(ids));
+  out.add("lost/ids", state.lost_ids);
   out.add("lost/first_and_step",
           std::vector<std::int64_t>{lost.first, static_cast<std::int64_t>(lost.step)});
   out.add("lost/mass", "kg", {lost.mass});
@@ -247,13 +243,15 @@ void take_lost(Snapshot& out, const State& state) {
 
 void put_lost(const Snapshot& from, State& state) {
   const std::vector<std::int64_t>& ids = from.integers("lost/ids");
-  const std::int64_t all = state.particles.count();
-  state.lost_ids.assign(ids.empty() ? 0 : static_cast<std::size_t>(all), false);
+  std::vector<std::int64_t> known = state.particles.ids();
+  std::sort(known.begin(), known.end());
+  std::int64_t before = -1;  // ids are not negative, and ascend here
   for (const std::int64_t id : ids) {
-    if (id < 0 || id >= all || state.lost_ids[static_cast<std::size_t>(id)])
+    if (id <= before || !std::binary_search(known.begin(), known.end(), id))
       throw CheckpointError(fmt::format("'lost/ids' holds {}, which it cannot.", id));
-    state.lost_ids[static_cast<std::size_t>(id)] = true;
+    before = id;
   }
+  state.lost_ids = ids;
   LostSoil& lost = state.lost;
   lost.particles = ids.size();
   const std::vector<std::int64_t>& first = from.integers("lost/first_and_step", 2);

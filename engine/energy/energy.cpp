@@ -29,7 +29,7 @@ StoredEnergy stored_energy(const State& state) {
   const ParticleBuffers& p = state.particles;
   const int dimension = state.scene.dimension;
   for (const ParticleGroup& group : p.groups()) {
-    const double mass = state.scaling.mass[group.material];
+    const double mass = group.mass;
     const kernels::ElasticModuli moduli = state.scene.materials[group.material].model.moduli();
     for (std::int64_t k = group.first; k < group.end(); ++k) {
       const auto value = [&](Field field, int component) {
@@ -68,7 +68,7 @@ double power(const State& state, const Acceleration& acceleration) {
       const double* f = acceleration[static_cast<std::size_t>(a)].data();
       double part = 0.0;
       for (std::int64_t k = group.first; k < group.end(); ++k) part += v[k] * f[k];
-      sum += state.scaling.mass[group.material] * part;
+      sum += group.mass * part;
     }
   }
   return sum;
@@ -85,20 +85,22 @@ void sample_energy(State& state) {
 
   Acceleration acceleration;
   kernels::PairSweepView<double> view = sweep_input_view(state);
+  double** out = view.output + output_place(Field::acceleration);
   for (std::size_t a = 0; a < 3; ++a) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
-    view.acceleration[a] = acceleration[a].data();
+    out[a] = acceleration[a].data();
   }
   const auto power_of = [&](bool viscosity, bool tension) {
     if (!viscosity) view.constants.viscosity_alpha = view.constants.viscosity_beta = 0.0;
-    state.sweep.records.fill(view, tension && state.sweep.records.has_tension_records());
+    state.sweep.records.fill(view, tension && state.sweep.records.has_second());
     sweep_force_with(state, view, state.sweep.narrow_records);
     return power(state, acceleration);
   };
   const double total = power_of(true, true);
-  const double without_viscosity = state.kernels.viscosity ? power_of(false, true) : total;
+  const double without_viscosity =
+      state.kernels.terms.has(kernels::Term::viscosity) ? power_of(false, true) : total;
   const double stress_only =
-      state.sweep.records.has_tension_records() ? power_of(false, false) : without_viscosity;
+      state.sweep.records.has_second() ? power_of(false, false) : without_viscosity;
   ForcePowers now;
   now.viscous = without_viscosity - total;
   now.artificial_stress = stress_only - without_viscosity;
@@ -106,7 +108,7 @@ void sample_energy(State& state) {
   for (const ParticleGroup& group : state.particles.groups()) {
     for (int a = 0; a < state.scene.dimension; ++a) {
       const double* v = state.particles.component(Field::velocity, a);
-      const double drag = state.stage.damping * state.scaling.mass[group.material];
+      const double drag = state.stage.damping * group.mass;
       for (std::int64_t k = group.first; k < group.end(); ++k) now.damping += drag * v[k] * v[k];
     }
   }

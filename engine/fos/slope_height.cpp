@@ -26,7 +26,7 @@ std::vector<double> grid(double low, double high, double step) {
 /// The ground is where a particle has no more than a spacing of soil above it and no wall there:
 /// what lies against a wall that hangs over, as every wall on the uphill side does, is none.
 double oblique_height(const Scene& scene) {
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   const std::vector<SoilAbove> above = soil_above(scene, soil, 1);
   const Vec3 up = upward(scene);
   const auto under_wall = [&](const Vec3& from, double reach) {

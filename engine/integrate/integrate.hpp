@@ -26,7 +26,7 @@ struct StepClock {
 struct StepLimits {
   double sound_speed = 0.0;   ///< the fastest of the undisturbed soil [m/s]
   double acoustic_cfl = 0.0;  ///< largest CFL number for sound on the undisturbed lattice (T1)
-  DissipationRates dissipation;
+  DampingRates damping_rates;
   StepLimitCounts counts{};
 };
 

@@ -8,15 +8,19 @@
 #include <numbers>
 #include <vector>
 
+#include "kernels/pair/term_rows.hpp"
+
 namespace scarp {
 namespace {
 
 struct Neighbour {
-  std::array<double, 3> direction;
+  double direction[3];
   std::array<double, 3> place;  ///< in spacings
   double distance;              ///< in h
   double slope;                 ///< V |W'|, times h
 };
+
+std::size_t index(const kernels::TermRow& row) { return static_cast<std::size_t>(row.term); }
 
 std::vector<Neighbour> neighbours(const kernels::SmoothingForm& form, double ratio, int dimension) {
   const int reach = static_cast<int>(2.0 * ratio) + 1, depth = dimension == 3 ? reach : 0;
@@ -50,20 +54,21 @@ LatticeSums lattice_sums(const kernels::SmoothingForm& form, double smoothing_ra
     for (int s = 1; s <= samples; ++s) {
       const double k = std::numbers::pi * s / samples;  // along so many axes, per spacing
       std::array<double, 3> gradient{};
-      double viscous = 0.0, diffusion = 0.0;
+      std::array<double, kernels::term_count> damping{};
       for (const Neighbour& j : all) {
         double phase = 0.0;
         for (int a = 0; a < axes; ++a) phase += k * j.place[static_cast<std::size_t>(a)];
         for (std::size_t a = 0; a < 3; ++a)
           gradient[a] += j.slope * j.direction[a] * std::sin(phase);
-        const double damped = j.slope / j.distance * (1.0 - std::cos(phase));
-        viscous += damped * j.direction[0] * j.direction[0];
-        diffusion += 2.0 * damped;
+        const double part = j.slope / j.distance * (1.0 - std::cos(phase));
+        for (const kernels::TermRow& row : kernels::term_rows) {
+          if (row.limit != nullptr) damping[index(row)] += row.damping(part, j.direction);
+        }
       }
       sums.wave_number =
           std::max(sums.wave_number, std::hypot(gradient[0], gradient[1], gradient[2]));
-      sums.viscous = std::max(sums.viscous, viscous);
-      sums.diffusion = std::max(sums.diffusion, diffusion);
+      for (std::size_t t = 0; t < damping.size(); ++t)
+        sums.damping[t] = std::max(sums.damping[t], damping[t]);
     }
   }
   return sums;
@@ -75,8 +80,8 @@ double acoustic_cfl_limit(const Numerics& numerics, const LatticeSums& sums) {
   return (numerics.integrator == Integrator::verlet ? 1.0 : 2.0) / wave_number;
 }
 
-DissipationRates dissipation_rates(const Numerics& numerics, const LatticeSums& sums,
-                                   bool diffusion) {
+DampingRates damping_rates(const Numerics& numerics, const LatticeSums& sums,
+                           const kernels::TermSettings& settings) {
   // Damping by the velocity before is a forward step, stable up to a rate of 2/dt; half of that
   // leaves room for the wave itself. In Verlet's leap it feeds a second solution, which begins as
   // (rate dt)^2/4, grows by exp(rate dt) a step and ends with the next forward step: at the CFL
@@ -85,10 +90,12 @@ DissipationRates dissipation_rates(const Numerics& numerics, const LatticeSums& 
                            ? std::min(1.0, 26.0 / numerics.verlet_restart_interval)
                            : 1.0;
   const double scale = 1.0 / (share * (numerics.lattice_normalisation ? sums.moment : 1.0));
-  // Viscosity acts on approaching pairs only: on half of them.
-  const double viscous = 0.5 * scale * sums.viscous;
-  return {numerics.viscosity_alpha * viscous, 2.0 * numerics.viscosity_beta * viscous,
-          diffusion ? numerics.stress_diffusion * scale * sums.diffusion : 0.0};
+  DampingRates rates{};
+  for (const kernels::TermRow& row : kernels::term_rows) {
+    if (row.limit != nullptr && row.used(settings))
+      rates[index(row)] = row.damping_rate(settings, scale, sums.damping[index(row)]);
+  }
+  return rates;
 }
 
 }  // namespace scarp

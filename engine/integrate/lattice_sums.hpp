@@ -2,6 +2,8 @@
 /// What the pair sums do to waves on the undisturbed lattice: moment, sound, damping.
 #pragma once
 
+#include <array>
+
 #include "engine/integrate/time_step.hpp"
 #include "engine/scene/scene.hpp"
 #include "kernels/smoothing/smoothing.hpp"
@@ -12,8 +14,8 @@ namespace scarp {
 struct LatticeSums {
   double moment = 1.0;       ///< M = -1/d sum V r W'. Equation: K2
   double wave_number = 0.0;  ///< largest |sum V sin(k.x) grad W|: the stiffest wave has c times it
-  double viscous = 0.0;      ///< largest sum V |W'| (x/r)^2/r (1 - cos k.x)
-  double diffusion = 0.0;    ///< largest 2 sum V |W'|/r (1 - cos k.x)
+  /// By pair term: the largest sum of its `damping` (PairTerm); 0 for terms that damp nothing.
+  std::array<double, kernels::term_count> damping{};
 };
 
 /// The largest over waves along axes and diagonals. Equation: T1.
@@ -23,9 +25,9 @@ LatticeSums lattice_sums(const kernels::SmoothingForm& form, double smoothing_ra
 /// half of it for Verlet, which leaps over two steps. Equation: T1.
 double acoustic_cfl_limit(const Numerics& numerics, const LatticeSums& sums);
 
-/// Rates such that a CFL number that is stable without the terms stays so with them. Equation: T1.
-/// Limits: the quadratic viscosity by its tangent, the diffusion at its cap.
-DissipationRates dissipation_rates(const Numerics& numerics, const LatticeSums& sums,
-                                   bool diffusion);
+/// Rates such that a CFL number that is stable without the dissipative terms stays so with them.
+/// Equation: T1.
+DampingRates damping_rates(const Numerics& numerics, const LatticeSums& sums,
+                           const kernels::TermSettings& settings);
 
 }  // namespace scarp

@@ -21,7 +21,7 @@ void choose_time_step(State& state) {
                                          state.scene.gravity, state.stage.damping);
   if (extremes.bad_slot >= 0) throw SimulationInstability(not_finite(state, extremes.bad_slot));
   join(extremes, *state.reduction);
-  auto [dt, limit] = admissible_step(extremes, state.limits.dissipation, state.smoothing_length,
+  auto [dt, limit] = admissible_step(extremes, state.limits.damping_rates, state.smoothing_length,
                                      state.scene.numerics.cfl * state.clock.step_factor);
   StepClock& clock = state.clock;
   if (clock.growth_base > 0.0 && dt > largest_growth * clock.growth_base) {

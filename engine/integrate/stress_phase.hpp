@@ -16,6 +16,7 @@ void run_stress_phase(State& state, double dt, double leap, Pass&& pass) {
     kernels::StressPassConstants constants = state.material_constants[group.material];
     constants.leap = leap;
     constants.plastic_share = dt / leap;
+    constants.smoothing_length = group.smoothing_length;
     const kernels::ModelInfo& model = state.scene.materials[group.material].model.info();
     const kernels::ModelPasses& passes = state.kernels.table->passes_of(model);
     const kernels::ParticleView view = particle_view(state, model);

@@ -6,10 +6,37 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "engine/parallel.hpp"
+#include "kernels/pair/term_rows.hpp"
 
 namespace scarp {
+namespace {
+
+struct TermLimit {
+  kernels::Term term;
+  StepLimit limit;
+};
+constexpr std::size_t limit_count =
+    std::ranges::count_if(kernels::term_rows, [](const auto& row) { return row.limit != nullptr; });
+
+/// The limits that pair terms name. Does not compile where one has no such name.
+constexpr std::array<TermLimit, limit_count> limits_of_terms() {
+  std::array<TermLimit, limit_count> limits{};
+  std::size_t next = 0;
+  for (const kernels::TermRow& row : kernels::term_rows) {
+    if (row.limit == nullptr) continue;
+    const auto* name = std::ranges::find(step_limit_names, std::string_view(row.limit),
+                                         [](const char* known) { return std::string_view(known); });
+    if (name == std::end(step_limit_names)) throw "a pair term names a limit that is not known";
+    limits[next++] = {row.term, static_cast<StepLimit>(name - std::begin(step_limit_names))};
+  }
+  return limits;
+}
+constexpr std::array term_limits = limits_of_terms();
+
+}  // namespace
 
 StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
                             const RecordScaling& scaling, const Vec3& gravity, double damping) {
@@ -80,7 +107,7 @@ void join(StateExtremes& extremes, Reduction& reduction) {
               extremes.bad_slot};
 }
 
-AdmissibleStep admissible_step(const StateExtremes& extremes, const DissipationRates& rates,
+AdmissibleStep admissible_step(const StateExtremes& extremes, const DampingRates& rates,
                                double smoothing_length, double cfl) {
   const double signal = extremes.signal_speed,
                acceleration = std::sqrt(extremes.acceleration_squared);
@@ -90,10 +117,11 @@ AdmissibleStep admissible_step(const StateExtremes& extremes, const DissipationR
     if (time_step < step.time_step) step = {time_step, limit};
   };
   if (acceleration > 0.0) bound(std::sqrt(smoothing_length / acceleration), StepLimit::force);
-  const double viscous = rates.viscous * signal + rates.viscous_approach * extremes.approach;
-  if (viscous > 0.0) bound(smoothing_length / viscous, StepLimit::viscous);
-  if (rates.diffusion > 0.0)
-    bound(smoothing_length / (rates.diffusion * signal), StepLimit::diffusion);
+  for (const auto& [term, limit] : term_limits) {
+    const kernels::DampingRate& rate = rates[static_cast<std::size_t>(term)];
+    const double damping = rate.signal * signal + rate.approach * extremes.approach;
+    if (damping > 0.0) bound(smoothing_length / damping, limit);
+  }
   step.time_step *= cfl;
   return step;
 }

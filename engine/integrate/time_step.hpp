@@ -2,6 +2,7 @@
 /// The variable time step, and the extremes of the state it and the stage control need.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/integrate/step_report.hpp"
@@ -9,6 +10,7 @@
 #include "engine/scene/scene.hpp"
 #include "engine/step/reduction.hpp"
 #include "engine/sweep/records.hpp"
+#include "kernels/pair/term.hpp"
 
 namespace scarp {
 
@@ -29,20 +31,15 @@ StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
 /// Those of all parts of the soil; `bad_slot` stays this part's own.
 void join(StateExtremes& extremes, Reduction& reduction);
 
-/// Rates at which dissipative terms damp the shortest wave of a lattice: (a c + b w)/h per second,
-/// with the signal speed c and the speed of approach w.
-struct DissipationRates {
-  double viscous = 0.0;           ///< a of the artificial viscosity
-  double viscous_approach = 0.0;  ///< b of its quadratic part
-  double diffusion = 0.0;         ///< a of the stress diffusion at its cap
-};
+/// By pair term, zero for those that damp nothing.
+using DampingRates = std::array<kernels::DampingRate, kernels::term_count>;
 
 /// Longest stable step for these extremes. Equation: E30; T1 for the dissipative terms.
 struct AdmissibleStep {
   double time_step;
   StepLimit limit;
 };
-AdmissibleStep admissible_step(const StateExtremes& extremes, const DissipationRates& rates,
+AdmissibleStep admissible_step(const StateExtremes& extremes, const DampingRates& rates,
                                double smoothing_length, double cfl);
 
 }  // namespace scarp

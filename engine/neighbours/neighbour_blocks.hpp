@@ -7,19 +7,10 @@
 #include <vector>
 
 #include "engine/particles/aligned_vector.hpp"
+#include "engine/sweep/record_layout.hpp"
 #include "kernels/particle_view.hpp"
 
 namespace scarp {
-
-/// First record of the page a record lies in.
-inline std::int32_t page_of(std::int64_t record) {
-  return static_cast<std::int32_t>(record / kernels::page_size * kernels::page_size);
-}
-
-/// Whether a record lies in the page that begins with record `page_begin`.
-inline bool in_page(std::int32_t record, std::int32_t page_begin) {
-  return record >= page_begin && record - page_begin < kernels::page_size;
-}
 
 /// Blocks of records as kernels::NeighbourView describes them, 20 bytes for eight records.
 class NeighbourBlocks {

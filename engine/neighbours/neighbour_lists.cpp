@@ -25,18 +25,16 @@ struct Candidates {
   std::vector<double> x, y, z;
 
   /// The points of `source` in the cells that members begin .. end of `input` reach.
-  void gather(const NeighbourSource& source, const NeighbourLists::Input& input, std::int64_t begin,
+  void gather(const ParticleSource& source, const NeighbourLists::Input& input, std::int64_t begin,
               std::int64_t end) {
     slots.clear();
-    if (source.grid != nullptr) {
-      const CellBox box = reached(*source.grid, input, begin, end);
-      if (box.count() <= static_cast<double>(std::max(source.grid->occupied(), few_cells))) {
-        source.grid->collect(box, slots);
-      } else {
-        collect_around_each(*source.grid, input, begin, end);
-      }
-      put_pages_together(source.first_record);
+    const CellBox box = reached(*source.grid, input, begin, end);
+    if (box.count() <= static_cast<double>(std::max(source.grid->occupied(), few_cells))) {
+      source.grid->collect(box, slots);
+    } else {
+      collect_around_each(*source.grid, input, begin, end);
     }
+    put_pages_together(source.first_record);
     const std::size_t count = slots.size();
     x.assign(count + entry_block, 1e150);
     y.assign(count + entry_block, 0.0);
@@ -129,7 +127,7 @@ class ChunkBuilder {
  public:
   ChunkBuilder(const kernels::KernelTable& kernels, const NeighbourLists::Input& input,
                ChunkLists& out)
-      : kernels_(kernels), input_(input), out_(out) {}
+      : kernels_(kernels), input_(input), out_(out), candidates_(input.sources.size()) {}
 
   void add_supercluster(std::int64_t begin, std::int64_t padded_end) {
     std::int64_t valid_end = begin;
@@ -142,11 +140,8 @@ class ChunkBuilder {
       const auto members = static_cast<int>(std::clamp<std::int64_t>(valid_end - first, 0, size));
       std::int64_t soil = 0, walls = 0;
       if (members > 0) {
-        add(soil_, input_.soil, first, members);
-        add(images_, input_.images, first, members);
-        soil = end_list();
-        add(walls_, input_.walls, first, members);
-        walls = end_list();
+        soil = add_list(first, members, false);
+        walls = add_list(first, members, true);
       }
       out_.soil_size.push_back(soil);
       out_.wall_size.push_back(walls);
@@ -155,20 +150,24 @@ class ChunkBuilder {
 
  private:
   void gather(std::int64_t begin, std::int64_t end) {
-    soil_.gather(input_.soil, input_, begin, end);
-    images_.gather(input_.images, input_, begin, end);
-    walls_.gather(input_.walls, input_, begin, end);
+    for (std::size_t s = 0; s < candidates_.size(); ++s)
+      candidates_[s].gather(input_.sources[s], input_, begin, end);
   }
 
-  /// Returns how many blocks the list takes.
-  std::int64_t end_list() {
+  /// The neighbours of a cluster that are dummies, or those that are not. Returns how many blocks
+  /// the list takes.
+  std::int64_t add_list(std::int64_t first, int members, bool dummies) {
+    for (std::size_t s = 0; s < candidates_.size(); ++s) {
+      if ((input_.sources[s].role == Role::dummy) == dummies)
+        add(candidates_[s], input_.sources[s], first, members);
+    }
     const std::int64_t before = written_;
     out_.blocks.end_list();
     written_ = out_.blocks.size();
     return written_ - before;
   }
 
-  void add(const Candidates& candidates, const NeighbourSource& source, std::int64_t first,
+  void add(const Candidates& candidates, const ParticleSource& source, std::int64_t first,
            int members) {
     const std::size_t count = candidates.slots.size();
     if (count == 0) return;
@@ -194,7 +193,7 @@ class ChunkBuilder {
   const kernels::KernelTable& kernels_;
   const NeighbourLists::Input& input_;
   ChunkLists& out_;
-  Candidates soil_, images_, walls_;
+  std::vector<Candidates> candidates_;  ///< by source
   std::vector<std::int32_t> found_;
   std::int64_t written_ = 0;
   std::array<double, 16> zeros_{};

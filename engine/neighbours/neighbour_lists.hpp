@@ -9,21 +9,23 @@
 
 #include "engine/cells/cell_grid.hpp"
 #include "engine/neighbours/neighbour_blocks.hpp"
+#include "engine/sweep/record_layout.hpp"
 #include "kernels/isa/kernel_table.hpp"
 #include "kernels/particle_view.hpp"
 
 namespace scarp {
 
-/// Points that are searched for neighbours: their cells, coordinates, and the index their first
-/// slot has among the records of the sweep.
-struct NeighbourSource {
+/// Points that are searched for neighbours: what they are, their cells, coordinates, and the index
+/// that their first slot has among the records of the sweep.
+struct ParticleSource {
+  Role role = Role::owned;
   const CellGrid* grid = nullptr;
   PointSpan points;
   std::int64_t first_record = 0;
 };
 
-/// Lists of `ranges` of points (clusters never cross a range): soil and its images, then dummies,
-/// the whole followed by two empty blocks.
+/// Lists of `ranges` of points (clusters never cross a range): all but the dummies in the order of
+/// the sources, then the dummies, the whole followed by two empty blocks.
 class NeighbourLists {
  public:
   struct Input {
@@ -31,9 +33,7 @@ class NeighbourLists {
     std::span<const SlotRange>
         ranges;              ///< valid slots; ranges start at multiples of the cluster size
     std::int64_t slots = 0;  ///< with padding
-    NeighbourSource soil;
-    NeighbourSource images;  ///< of soil behind free-slip walls; no grid: none
-    NeighbourSource walls;   ///< no grid: none
+    std::span<const ParticleSource> sources;
     std::int64_t far_record = 0;
     double reach = 0.0;  ///< support plus skin [m]
     int dimension = 3;

@@ -29,7 +29,7 @@ void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
   std::size_t next = 0;
   for (const SlotRange& range : ranges) {
     for (std::int64_t k = range.begin; k < range.end; ++k) {
-      order[static_cast<std::size_t>(k)] = state.neighbours.soil_cells.order()[next++];
+      order[static_cast<std::size_t>(k)] = state.neighbours.cells[Role::owned].order()[next++];
     }
     compact_clusters(state.threads, points_of(state.particles), state.kernels.cluster_size,
                      std::span(order).subspan(static_cast<std::size_t>(range.begin),
@@ -42,23 +42,23 @@ double list_reach(const State& state) {
   return (2.0 + state.scene.numerics.skin) * state.smoothing_length;
 }
 
-std::vector<SlotRange> soil_ranges(const State& state) {
+std::vector<SlotRange> ranges_of(const ParticleBuffers& particles) {
   std::vector<SlotRange> ranges;
-  for (const ParticleGroup& group : state.particles.groups())
+  for (const ParticleGroup& group : particles.groups())
     ranges.push_back({group.first, group.end()});
   return ranges;
 }
 
 void build_soil_cells(State& state, const std::vector<SlotRange>& ranges) {
-  state.neighbours.soil_cells.build(state.threads, points_of(state.particles), ranges,
-                                    0.5 * list_reach(state));
+  state.neighbours.cells[Role::owned].build(state.threads, points_of(state.particles), ranges,
+                                            0.5 * list_reach(state));
 }
 
 }  // namespace
 
 void build_lists(State& state) {
   const double reach = list_reach(state), cell = 0.5 * reach;
-  const std::vector<SlotRange> ranges = soil_ranges(state);
+  const std::vector<SlotRange> ranges = ranges_of(state.particles);
   std::vector<double> k0;
   for (const ParticleGroup& group : state.particles.groups())
     k0.push_back(state.material_constants[group.material].k0);
@@ -69,42 +69,48 @@ void build_lists(State& state) {
   // soil.
   const double image_reach = state.boundary.walls.count() > 0 ? 2.0 * reach : reach;
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
-  state.boundary.images.select(
-      state.scene, state.boundary.surface, placement, points_of(state.particles), ranges, k0,
-      image_reach,
-      hold_off_distance(state.scene.spacing) + state.scene.numerics.skin * state.smoothing_length);
-  state.sweep.records.resize_images(state.boundary.images.count());
+  state.boundary.images.select(state.scene, state.boundary.surface, placement,
+                               points_of(state.particles), ranges, k0, image_reach,
+                               hold_off_distance(state.particles.largest_spacing()) +
+                                   state.scene.numerics.skin * state.smoothing_length);
+  const MirrorImages& images = state.boundary.images;
+  Walls& walls = state.boundary.walls;
+  state.sweep.records.resize(state.ghosts.slots(), images.count());
+  std::vector<ParticleSource> sources;
+  const auto add = [&](Role role, const PointSpan& points) {
+    sources.push_back(
+        {role, &state.neighbours.cells[role], points, state.sweep.records.layout()[role].first});
+  };
+  const auto build_cells = [&](Role role, const PointSpan& points,
+                               std::span<const SlotRange> ranges_there) {
+    if (ranges_there.empty() || ranges_there.back().end == 0) return;
+    state.neighbours.cells[role].build(state.threads, points, ranges_there, cell);
+    add(role, points);
+  };
+  const SlotRange all_images{0, images.count()}, dummies = walls.range();
+  add(Role::owned, points_of(state.particles));
+  build_cells(Role::ghost, points_of(state.ghosts), ranges_of(state.ghosts));
+  build_cells(Role::image, images.points(), {&all_images, 1});
   NeighbourLists::Input input;
   input.points = points_of(state.particles);
   input.ranges = ranges;
   input.slots = state.particles.slots();
-  input.soil = {&state.neighbours.soil_cells, input.points, 0};
-  if (state.boundary.images.count() > 0) {
-    const SlotRange images{0, state.boundary.images.count()};
-    state.neighbours.image_cells.build(state.threads, state.boundary.images.points(), {&images, 1},
-                                       cell);
-    input.images = {&state.neighbours.image_cells, state.boundary.images.points(),
-                    state.sweep.records.first_image()};
-  }
-  input.far_record = state.sweep.records.far_record();
+  input.far_record = state.sweep.records.layout().far_record();
   input.reach = reach;
   input.dimension = dimension;
   input.cluster_size = state.kernels.cluster_size;
-  if (state.boundary.walls.count() > 0) {
-    state.boundary.walls.choose_standing(state.scene, state.boundary.surface, placement);
-    const SlotRange dummies = state.boundary.walls.range();
-    state.neighbours.wall_cells.build(state.threads, state.boundary.walls.points(), {&dummies, 1},
-                                      cell);
-    input.walls = {&state.neighbours.wall_cells, state.boundary.walls.points(),
-                   state.sweep.records.first_wall()};
+  if (walls.count() > 0) {
+    walls.choose_standing(state.scene, state.boundary.surface, placement);
     NeighbourLists::Input of_walls = input;
-    of_walls.points = state.boundary.walls.points();
+    of_walls.sources = sources;
+    of_walls.points = walls.points();
     of_walls.ranges = {&dummies, 1};
-    of_walls.slots = state.boundary.walls.slots();
-    of_walls.walls = {};
+    of_walls.slots = walls.slots();
     of_walls.cluster_size = state.kernels.table->cluster_size;
     state.neighbours.wall_lists.build(state.threads, *state.kernels.table, of_walls);
+    build_cells(Role::dummy, walls.points(), {&dummies, 1});
   }
+  input.sources = sources;
   state.neighbours.lists.build(state.threads, *state.kernels.table, input);
   for (int a = 0; a < dimension; ++a) {
     const double* from = state.particles.component(Field::position, a);
@@ -119,8 +125,8 @@ void build_lists(State& state) {
 
 void pack_soil(State& state) {
   Neighbours& neighbours = state.neighbours;
-  neighbours.moved =
-      std::sqrt(state.sweep.records.pack_soil(state.threads, state.particles, state.scaling));
+  neighbours.moved = std::sqrt(state.sweep.records.pack(state.threads, Role::owned, state.particles,
+                                                        state.scaling, state.kernels.slots));
 }
 
 bool lists_are_outdated(const State& state) {
@@ -138,7 +144,7 @@ void rebuild_lists(State& state) {
   if (!neighbours.due) return;
   if (neighbours.valid) watch_walls(state);
   if (neighbours.rebuilds % rebuilds_per_sort == 0) {
-    const std::vector<SlotRange> ranges = soil_ranges(state);
+    const std::vector<SlotRange> ranges = ranges_of(state.particles);
     build_soil_cells(state, ranges);
     sort_particles(state, ranges);
   }
@@ -149,6 +155,8 @@ void rebuild_lists(State& state) {
 }
 
 void pack_images(State& state) {
+  state.sweep.records.pack(state.threads, Role::ghost, state.ghosts, state.scaling,
+                           state.kernels.slots);
   state.boundary.images.pack(state.sweep.records, state.scaling.inverse_smoothing_length,
                              state.boundary.offset, state.boundary.velocity, state.scene.gravity);
 }

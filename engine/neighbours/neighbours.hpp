@@ -13,7 +13,7 @@ namespace scarp {
 struct State;
 
 struct Neighbours {
-  CellGrid soil_cells, image_cells, wall_cells;
+  ByRole<CellGrid> cells;
   NeighbourLists lists, wall_lists;
   bool valid = false;          ///< the lists are of the soil and the walls that stand
   bool due = false;            ///< ... and have to be built anew in this step
@@ -29,7 +29,7 @@ void decide_rebuild(State& state);
 /// Where that is decided: looks whether walls hold, puts particles in order, builds cells, images
 /// and lists, packs the records of the soil again. Errors: SimulationInstability.
 void rebuild_lists(State& state);
-/// Records of the mirror images from those of the soil.
+/// Records of the ghosts, and of the mirror images from those of the soil.
 void pack_images(State& state);
 
 /// Cells, images and lists of where everything stands now.
@@ -45,8 +45,9 @@ inline constexpr Phase decide_rebuild{"decide_rebuild", {}, {}, scarp::decide_re
 inline constexpr Phase rebuild_lists{
     "rebuild_lists", state_fields | DataSet(Part::walls),
     state_fields | DataSet(Part::records, Part::lists, Part::walls), scarp::rebuild_lists};
-inline constexpr Phase pack_images{
-    "pack_images", {Part::records, Part::walls}, Part::records, scarp::pack_images};
+inline constexpr Phase pack_images{"pack_images",
+                                   packed_fields | DataSet(Part::records, Part::walls),
+                                   Part::records, scarp::pack_images};
 
 }  // namespace phases
 

@@ -78,7 +78,7 @@ void write_moment(hdf5::NewFile& file, const Simulation& simulation, std::string
   file.attribute("/", "event", event);
   file.attribute("/", "title", scene.title);
   file.attribute("/", "dimension", std::vector<std::int64_t>{scene.dimension});
-  file.attribute("/", "spacing", scene.spacing);
+  file.attribute("/", "spacing", simulation.spacing());
 }
 
 bool any_wall_changes(const Scene& scene) {
@@ -111,7 +111,7 @@ void clear_frames(const std::filesystem::path& folder, std::size_t kept) {
 }
 
 void fill(hdf5::NewFile& file, const Simulation& simulation, std::string_view event) {
-  write_grid(file, simulation.field("position"), simulation.scene().spacing);
+  write_grid(file, simulation.field("position"), simulation.spacing());
   write_moment(file, simulation, event);
   for (const FieldInfo& field : simulation.fields()) {
     const std::string name = "VTKHDF/PointData/" + field.name;
@@ -152,7 +152,7 @@ std::size_t soil_frame_bytes(const Simulation& simulation) {
 
 void write_wall_frame(const std::filesystem::path& path, const Simulation& simulation) {
   hdf5::NewFile file(path);
-  write_grid(file, simulation.wall_positions(), simulation.scene().spacing);
+  write_grid(file, simulation.wall_positions(), simulation.spacing());
   write_moment(file, simulation, "walls");
   file.commit();
 }

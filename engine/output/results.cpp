@@ -121,11 +121,6 @@ std::vector<Measure> basic_measures(const Simulation& simulation) {
     report("largest displacement", largest, "m");
   }
   report("residual velocity", simulation.last_step().max_velocity, "m/s");
-  double mass = 0.0;
-  for (const double material : simulation.field("material")) {
-    mass += scene.materials[static_cast<std::size_t>(material)].density;
-  }
-  mass *= std::pow(scene.spacing, scene.dimension);
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   const std::vector<double> density = simulation.field("density"),
                             material_of = simulation.field("material");
@@ -138,7 +133,7 @@ std::vector<Measure> basic_measures(const Simulation& simulation) {
   // Without a critical state dilation has no end: here it shows.
   report("least density over reference density", least, "-");
   report("largest density over reference density", most, "-");
-  report("mass", mass, plane ? "kg/m" : "kg");
+  report("mass", simulation.soil_mass(), plane ? "kg/m" : "kg");
   const EnergyBalance energy = simulation.energy();
   const char* joule = plane ? "J/m" : "J";
   report("kinetic energy", energy.kinetic, joule);
@@ -173,7 +168,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"isa", simulation.isa()},
             {"threads", simulation.threads()},
             {"dimension", scene.dimension},
-            {"spacing", scene.spacing},
+            {"spacing", simulation.spacing()},
             {"smoothing_length", simulation.smoothing_length()},
             {"particles", simulation.soil_count()},
             {"wall_particles", simulation.wall_count()},

@@ -59,7 +59,7 @@ class LatticeFill {
     return particles;
   }
 
-  SoilPoints fill() {
+  Particles fill() {
     double total = 0.0;
     for (std::size_t b = 0; b < shapes_.size(); ++b) {
       // Far too many need not be counted one by one.
@@ -68,7 +68,7 @@ class LatticeFill {
     }
     total = 0.0;
     for (std::size_t b = 0; b < shapes_.size(); ++b) total += count(b, total);
-    SoilPoints soil;
+    Particles soil;
     const auto size = static_cast<std::size_t>(total);
     soil.position.reserve(size);
     soil.material.reserve(size);
@@ -169,7 +169,7 @@ class LatticeFill {
         shape.label, limit_, scene_.spacing, 1e-9 * usable_memory()));
   }
 
-  void add(std::size_t body, SoilPoints& soil) {
+  void add(std::size_t body, Particles& soil) {
     const ColumnShape& shape = shapes_[body];
     const std::size_t before = soil.position.size();
     const Body& made_of = scene_.bodies[body];
@@ -248,7 +248,7 @@ std::vector<double> estimate_particles(const Scene& scene) {
   return LatticeFill(scene, {}).estimate();
 }
 
-SoilPoints generate_soil(const Scene& scene, const std::function<bool()>& stop) {
+Particles generate_soil(const Scene& scene, const std::function<bool()>& stop) {
   return LatticeFill(scene, stop).fill();
 }
 

@@ -6,23 +6,17 @@
 #include <functional>
 #include <vector>
 
+#include "engine/particles/particles.hpp"
 #include "engine/scene/scene.hpp"
 
 namespace scarp {
-
-/// Soil particles of a scene before sorting; the index is the permanent id.
-struct SoilPoints {
-  std::vector<Vec3> position;         ///< [m]
-  std::vector<std::size_t> material;  ///< index into Scene::materials
-  std::vector<Vec3> velocity;         ///< [m/s]
-};
 
 /// Lattice points inside the bodies, body by body; each stands for a volume dx^dimension. The
 /// lattice is anchored half a spacing inside the lowest corner of the first body, so that flat
 /// faces at multiples of the spacing are met exactly. A point that lies in several bodies belongs
 /// to the first. Errors: SceneError if a body holds no lattice point or the count exceeds what
-/// memory can hold.
-SoilPoints generate_soil(const Scene& scene, const std::function<bool()>& stop = {});
+/// memory can hold. Of each: position, velocity, material.
+Particles generate_soil(const Scene& scene, const std::function<bool()>& stop = {});
 
 /// About how many particles each material has, from at most 20000 columns of each body, evenly
 /// spread; exact where a scene has no more, and quick however large it is.

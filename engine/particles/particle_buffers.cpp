@@ -3,6 +3,7 @@
 #include "engine/particles/particle_buffers.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "engine/parallel.hpp"
@@ -69,6 +70,80 @@ std::int64_t ParticleBuffers::count() const {
 const ParticleGroup& ParticleBuffers::group_of(std::int64_t slot) const {
   return *std::find_if(groups_.begin(), groups_.end(),
                        [slot](const ParticleGroup& group) { return slot < group.padded_end(); });
+}
+
+double ParticleBuffers::largest_spacing() const {
+  double largest = 0.0;
+  for (const ParticleGroup& group : groups_) largest = std::max(largest, group.spacing);
+  return largest;
+}
+
+double ParticleBuffers::mass() const {
+  double sum = 0.0;
+  for (const ParticleGroup& group : groups_) sum += static_cast<double>(group.count) * group.mass;
+  return sum;
+}
+
+void ParticleBuffers::rearrange(std::vector<ParticleGroup> groups,
+                                std::span<const std::int64_t> from) {
+  slots_ = std::ssize(from);
+  groups_ = std::move(groups);
+  const auto gather = [&](auto& array, const auto& before) {
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      if (from[k] >= 0) array[k] = before[static_cast<std::size_t>(from[k])];
+    }
+  };
+  const auto before = data_;
+  for (auto& field : data_) {
+    for (auto& array : field) {
+      if (!array.empty()) array.assign(from.size(), 0.0);
+    }
+  }
+  for (const FieldRow& field : rows_) put_initial(field);
+  for (std::size_t f = 0; f < data_.size(); ++f) {
+    for (std::size_t c = 0; c < data_[f].size(); ++c) {
+      if (!data_[f][c].empty()) gather(data_[f][c], before[f][c]);
+    }
+  }
+  const std::vector<std::int64_t> ids = std::exchange(ids_, {});
+  ids_.assign(from.size(), -1);
+  gather(ids_, ids);
+}
+
+std::int64_t ParticleBuffers::add(std::size_t group, std::span<const std::int64_t> new_ids) {
+  std::vector<ParticleGroup> groups = groups_;
+  std::vector<std::int64_t> from;
+  std::int64_t added = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::int64_t first = static_cast<std::int64_t>(from.size());
+    for (std::int64_t k = groups_[g].first; k < groups_[g].end(); ++k) from.push_back(k);
+    if (g == group) {
+      added = static_cast<std::int64_t>(from.size());
+      groups[g].count += std::ssize(new_ids);
+      groups[g].capacity = std::max(groups[g].capacity, padded(groups[g].count));
+    }
+    groups[g].first = first;
+    from.resize(static_cast<std::size_t>(groups[g].padded_end()), -1);
+  }
+  rearrange(std::move(groups), from);
+  std::copy(new_ids.begin(), new_ids.end(), ids_.begin() + added);
+  return added;
+}
+
+void ParticleBuffers::remove(std::span<const std::int64_t> slots) {
+  std::vector<ParticleGroup> groups = groups_;
+  std::vector<std::int64_t> from;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    ParticleGroup& group = groups[g];
+    group.first = static_cast<std::int64_t>(from.size());
+    for (std::int64_t k = groups_[g].first; k < groups_[g].end(); ++k) {
+      if (!std::binary_search(slots.begin(), slots.end(), k)) from.push_back(k);
+    }
+    group.count = static_cast<std::int64_t>(from.size()) - group.first;
+    group.capacity = padded(group.count);
+    from.resize(static_cast<std::size_t>(group.padded_end()), -1);
+  }
+  rearrange(std::move(groups), from);
 }
 
 void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order) {

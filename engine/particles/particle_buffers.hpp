@@ -13,13 +13,21 @@
 
 namespace scarp {
 
-/// Consecutive particles of one material: slots [first, first + count), padded to `capacity`.
-struct ParticleGroup {
+/// Particles of one kind.
+struct ParticleKind {
+  std::size_t material = 0;
+  double reference_density = 1.0;  ///< [kg/m3]
+  double spacing = 0.0;            ///< dx [m]
+  double smoothing_length = 0.0;   ///< h [m]
+  double volume = 0.0;             ///< dx^d [m3, m2 in 2D]
+  double mass = 0.0;               ///< [kg, per metre in 2D]
+};
+
+/// Consecutive particles of one kind: slots [first, first + count), padded to `capacity`.
+struct ParticleGroup : ParticleKind {
   std::int64_t first = 0;
   std::int64_t count = 0;
   std::int64_t capacity = 0;
-  std::size_t material = 0;
-  double reference_density = 1.0;  ///< [kg/m3]
 
   std::int64_t end() const { return first + count; }
   std::int64_t padded_end() const { return first + capacity; }
@@ -64,8 +72,17 @@ class ParticleBuffers {
   std::int64_t count() const;
   const std::vector<ParticleGroup>& groups() const { return groups_; }
   const ParticleGroup& group_of(std::int64_t slot) const;
+  double largest_spacing() const;                    ///< of the groups [m]
+  double mass() const;                               ///< of all particles [kg]
   std::vector<std::int64_t>& ids() { return ids_; }  ///< permanent id by slot; -1 in padding
   const std::vector<std::int64_t>& ids() const { return ids_; }
+
+  /// Adds particles with these ids behind those of a group and returns the slot of the first. Their
+  /// fields have the initial values. Slots of the groups behind may move.
+  std::int64_t add(std::size_t group, std::span<const std::int64_t> new_ids);
+  /// Removes the particles in these slots, which ascend. Those behind close up and groups give up
+  /// capacity they no longer need; a group without particles stays.
+  void remove(std::span<const std::int64_t> slots);
 
   /// Moves slot order[k] to slot first + k within each group, for every field of lifetime `state`.
   void permute(int threads, std::span<const std::int32_t> order);
@@ -77,12 +94,15 @@ class ParticleBuffers {
 
  private:
   void put_initial(const FieldRow& field);
+  /// Puts the particle of slot from[k] into slot k of new groups; below 0: there is none.
+  void rearrange(std::vector<ParticleGroup> groups, std::span<const std::int64_t> from);
 
   int dimension_ = 2;
   std::int64_t slots_ = 0;
   std::vector<ParticleGroup> groups_;
   std::vector<FieldRow> rows_;
-  std::vector<std::array<AlignedVector<double>, 9>> data_;  ///< by field
+  /// By field; without particles as well, so that nothing is found there.
+  std::vector<std::array<AlignedVector<double>, 9>> data_{static_cast<std::size_t>(Field::count)};
   std::vector<std::int64_t> ids_;
 };
 

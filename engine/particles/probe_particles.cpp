@@ -44,7 +44,7 @@ void keep_least(std::vector<std::size_t>& candidates, double tolerance, const Va
 
 }  // namespace
 
-ChosenParticle particle_of_probe(const Scene& scene, const SoilPoints& soil, const Probe& probe) {
+ChosenParticle particle_of_probe(const Scene& scene, const Particles& soil, const Probe& probe) {
   const double same = 1e-6 * scene.spacing;  // far above round-off, far below what can be seen
   constexpr double furthest = 2.0;           // spacings
   double least = std::numeric_limits<double>::infinity();

@@ -20,6 +20,6 @@ struct ChosenParticle {
 /// the one nearest to the centre of all soil: rules that a mirrored scene mirrors and round-off
 /// does not turn. What still ties lies symmetrically in the soil itself: the lowest x, y and z
 /// decide. Errors: SceneError if the nearest one is further away than two spacings.
-ChosenParticle particle_of_probe(const Scene& scene, const SoilPoints& soil, const Probe& probe);
+ChosenParticle particle_of_probe(const Scene& scene, const Particles& soil, const Probe& probe);
 
 }  // namespace scarp

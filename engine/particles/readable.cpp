@@ -2,6 +2,8 @@
 /// Fields that are derived from others.
 #include "engine/particles/readable.hpp"
 
+#include <algorithm>
+
 namespace scarp {
 namespace {
 
@@ -35,7 +37,7 @@ double material_of(const Readable& from, std::int64_t slot, int) {
 }
 
 double lost_of(const Readable& from, std::int64_t slot, int) {
-  return !from.lost_ids.empty() && from.lost_ids[static_cast<std::size_t>(permanent_id(from, slot))]
+  return std::binary_search(from.lost_ids.begin(), from.lost_ids.end(), permanent_id(from, slot))
              ? 1.0
              : 0.0;
 }

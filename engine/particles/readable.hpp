@@ -12,7 +12,7 @@ namespace scarp {
 /// What fields are read from.
 struct Readable {
   const ParticleBuffers& particles;
-  const std::vector<bool>& lost_ids;  ///< by id; empty: none is lost
+  const std::vector<std::int64_t>& lost_ids;  ///< ascending
 
   /// One component in a slot; 0 where it is not stored (z in 2D).
   double value(const FieldRow& field, std::int64_t slot, int component) const;

@@ -23,7 +23,7 @@ double weight_of(const Scene& scene) {
 /// Columns of the lattice along the one axis of gravity, from the top down.
 class Columns {
  public:
-  Columns(const Scene& scene, const SoilPoints& soil, std::size_t axis)
+  Columns(const Scene& scene, const Particles& soil, std::size_t axis)
       : scene_(scene), soil_(soil), axis_(axis), up_(scene.gravity[axis] < 0.0 ? 1.0 : -1.0) {}
 
   void add(std::vector<SoilAbove>& above) {
@@ -82,7 +82,7 @@ class Columns {
   }
 
   const Scene& scene_;
-  const SoilPoints& soil_;
+  const Particles& soil_;
   std::size_t axis_;
   double up_;
   double surface_ = 0.0, layer_ = 0.0;  ///< heights of the uppermost particles
@@ -175,7 +175,7 @@ Vec3 upward(const Scene& scene) {
   return up;
 }
 
-std::vector<SoilAbove> soil_above(const Scene& scene, const SoilPoints& soil, int threads) {
+std::vector<SoilAbove> soil_above(const Scene& scene, const Particles& soil, int threads) {
   std::vector<SoilAbove> above(soil.position.size());
   std::vector<std::size_t> along;
   for (std::size_t a = 0; a < 3; ++a) {

@@ -21,7 +21,7 @@ struct SoilAbove {
 /// most half a spacing). Gravity in any other direction: a ray through the bodies as they are
 /// drawn, its ends found to dx/512. Zeros without gravity. Errors: SceneError where a height cannot
 /// be found.
-std::vector<SoilAbove> soil_above(const Scene& scene, const SoilPoints& soil, int threads);
+std::vector<SoilAbove> soil_above(const Scene& scene, const Particles& soil, int threads);
 
 /// Unit vector against gravity; zeros without gravity.
 Vec3 upward(const Scene& scene);

@@ -232,6 +232,7 @@ Numerics preset(const std::string& name);
 
 /// Checks everything that can be checked without particles; throws SceneError. Called by
 /// Simulation.
-void validate(const Scene& scene);
+/// `needs_bodies`: the soil is not supplied as particles.
+void validate(const Scene& scene, bool needs_bodies = true);
 
 }  // namespace scarp

@@ -183,7 +183,7 @@ double reduction_of(const Stage& stage, const Material& material) {
   return own != stage.material_strength_reduction.end() ? own->second : stage.strength_reduction;
 }
 
-void validate(const Scene& scene) {
+void validate(const Scene& scene, bool needs_bodies) {
   checks::choices(scene);
   inside(scene.dimension, 2, 3, "dimension");
   inside(scene.spacing, 1e-9, 1e9, "spacing");
@@ -192,7 +192,7 @@ void validate(const Scene& scene) {
   checks::vector(scene.gravity, scene.dimension, 1e6, "gravity");
   check_numerics(scene.numerics);
   rule(!scene.materials.empty(), "material", "none", "nothing is made of it. Try a [[material]].");
-  rule(!scene.bodies.empty(), "body", "none", "there is no soil. Try a [[body]].");
+  rule(!needs_bodies || !scene.bodies.empty(), "body", "none", "there is no soil. Try a [[body]].");
   rule(!scene.stages.empty(), "stage", "none", "nothing would be run. Try a [[stage]].");
   check_names(scene.materials, "material");
   check_names(scene.walls, "wall");

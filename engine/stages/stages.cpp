@@ -62,7 +62,7 @@ Stretch tallest_stretch(const State& state) {
     for (std::size_t i = first; i <= k; ++i) {
       slowest = std::min(slowest, state.scene.materials[all[i].second].sound_speed());
     }
-    const double height = all[k].first - all[first].first + state.scene.spacing;
+    const double height = all[k].first - all[first].first + state.particles.largest_spacing();
     tallest.height = std::max(tallest.height, height);
     tallest.passage = std::max(tallest.passage, height / slowest);
     first = k + 1;
@@ -103,7 +103,7 @@ void update_walls(State& state, const std::string& stage) {
 double soil_height(const State& state) {
   const auto all = levels(state);
   const auto [low, high] = std::minmax_element(all.begin(), all.end());
-  return high->first - low->first + state.scene.spacing;
+  return high->first - low->first + state.particles.largest_spacing();
 }
 
 double fastest_soil(const State& state) {

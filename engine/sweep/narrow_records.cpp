@@ -81,36 +81,28 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
                       [](std::int64_t& all, std::int64_t part) { all = std::min(all, part); });
   out_of_reach_ = first < none ? std::optional(first) : std::nullopt;
   PairSweepView<float> out{};
-  if (view.tension_records != nullptr) {
-    const std::int64_t size = count * tension_record_size;
-    tension_records_.resize(static_cast<std::size_t>(size));
-    parallel_chunks(threads, size, particle_chunk * tension_record_size,
+  if (view.second != nullptr) {
+    const std::int64_t size = count * second_record_size;
+    second_.resize(static_cast<std::size_t>(size));
+    parallel_chunks(threads, size, particle_chunk * second_record_size,
                     [&](std::int64_t begin, std::int64_t end) {
-                      for (std::int64_t k = begin; k < end; ++k) {
-                        tension_records_[static_cast<std::size_t>(k)] =
-                            static_cast<float>(view.tension_records[k]);
-                      }
+                      for (std::int64_t k = begin; k < end; ++k)
+                        second_[static_cast<std::size_t>(k)] = static_cast<float>(view.second[k]);
                     });
-    out.tension_records = tension_records_.data();
+    out.second = second_.data();
   }
   out.records = records_.data();
-  out.tension = view.tension;
+  out.marked = view.marked;
+  out.clusters = view.clusters;
   out.neighbours = view.neighbours;
   out.constants = narrowed(view.constants);
   out.smoothing_length = view.smoothing_length;
-  out.density_rate = view.density_rate;
-  std::copy(std::begin(view.velocity_gradient), std::end(view.velocity_gradient),
-            out.velocity_gradient);
-  std::copy(std::begin(view.moment), std::end(view.moment), out.moment);
-  std::copy(std::begin(view.acceleration), std::end(view.acceleration), out.acceleration);
-  out.approach_rate = view.approach_rate;
-  std::copy(std::begin(view.diffusion_rate), std::end(view.diffusion_rate), out.diffusion_rate);
-  out.diffusion_slope = view.diffusion_slope;
+  std::copy(std::begin(view.output), std::end(view.output), out.output);
   return out;
 }
 
 std::size_t NarrowRecords::bytes() const {
-  return (records_.size() + tension_records_.size()) * sizeof(float);
+  return (records_.size() + second_.size()) * sizeof(float);
 }
 
 }  // namespace scarp

@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
+#include "engine/sweep/second_lines.hpp"
 #include "engine/watch/watch.hpp"
+#include "kernels/pair/term_rows.hpp"
 
 namespace scarp {
 namespace {
@@ -16,7 +19,7 @@ template <class Real>
 void run(const State& state, kernels::PairSweep<Real> sweep,
          const kernels::PairSweepView<Real>& view) {
   const std::int64_t chunk = particle_chunk / state.kernels.cluster_size;
-  parallel_chunks(state.threads, state.neighbours.lists.clusters(), chunk,
+  parallel_chunks(state.threads, std::ssize(state.neighbours.lists.active_clusters()), chunk,
                   [&](std::int64_t begin, std::int64_t end) { sweep(view, begin, end); });
 }
 
@@ -24,7 +27,7 @@ void run(const State& state, kernels::PairSweep<Real> sweep,
 /// a wall's, whose own place is then named.
 Instability flown_out_of_reach(const State& state, const double* records, std::int64_t record) {
   const double h = state.smoothing_length;
-  const bool soil = record < state.particles.slots();
+  const bool soil = record < state.sweep.records.layout()[Role::owned].end();
   Instability found = at_particle(state, soil ? record : 0);
   if (!soil) found.particle = -1;
   double furthest = 0.0;
@@ -42,32 +45,29 @@ Instability flown_out_of_reach(const State& state, const double* records, std::i
   return found;
 }
 
-void run(const State& state, const ChosenSweep& sweep, const kernels::PairSweepView<double>& view,
+void run(const State& state, const SweepKernel& sweep, const kernels::PairSweepView<double>& view,
          NarrowRecords& narrow_records) {
   if (sweep.mixed == nullptr) {
     run(state, sweep.in_double, view);
     return;
   }
   const kernels::PairSweepView<float> narrow =
-      narrow_records.narrow(state.threads, view, state.sweep.records.far_record());
+      narrow_records.narrow(state.threads, view, state.sweep.records.layout().far_record());
   if (const auto record = narrow_records.out_of_reach())
     throw SimulationInstability(flown_out_of_reach(state, view.records, *record));
   run(state, sweep.mixed, narrow);
 }
 
-/// Tension records are only needed where a force is summed; while nothing is in tension the sweep
-/// without the artificial stress runs.
-void run_force_sweep(State& state, const ChosenSweep& sweep, const ChosenSweep& in_compression) {
+/// Second lines are packed just before the terms that read them are summed; while all are zero, the
+/// sweep without these terms runs.
+void run_force_sweep(State& state, const ChosenSweep& sweep) {
   kernels::PairSweepView<double> view = sweep_view(state);
-  bool tension = false;
-  if (state.kernels.artificial_stress) {
-    tension = state.sweep.records.pack_tension(state.threads, state.particles,
-                                               state.scene.numerics.artificial_stress);
-    if (state.sweep.records.has_tension_records())
-      state.boundary.images.pack_tension(state.sweep.records);
-    state.sweep.records.fill(view, tension);
-  }
-  run(state, tension ? sweep : in_compression, view, state.sweep.narrow_records);
+  Records& records = state.sweep.records;
+  const bool marked =
+      pack_second_lines(state.threads, {state.particles, state.ghosts}, state.kernels, records);
+  if (records.has_second()) state.boundary.images.pack_second(records, state.kernels.terms);
+  records.fill(view, marked);
+  run(state, marked ? sweep.whole : sweep.unmarked, view, state.sweep.narrow_records);
 }
 
 }  // namespace
@@ -75,6 +75,7 @@ void run_force_sweep(State& state, const ChosenSweep& sweep, const ChosenSweep& 
 kernels::PairSweepView<double> sweep_input_view(const State& state) {
   kernels::PairSweepView<double> view{};
   state.sweep.records.fill(view, false);
+  view.clusters = state.neighbours.lists.active_clusters().data();
   view.neighbours = state.neighbours.lists.view();
   view.constants = state.sweep.constants;
   view.smoothing_length = state.smoothing_length;
@@ -83,14 +84,12 @@ kernels::PairSweepView<double> sweep_input_view(const State& state) {
 
 kernels::PairSweepView<double> sweep_view(State& state) {
   kernels::PairSweepView<double> view = sweep_input_view(state);
-  ParticleBuffers& p = state.particles;
-  view.density_rate = p.component(Field::density_rate);
-  p.components(Field::velocity_gradient, view.velocity_gradient);
-  p.components(Field::moment, view.moment);
-  p.components(Field::acceleration, view.acceleration);
-  view.approach_rate = p.component(Field::approach_rate);
-  p.components(Field::diffusion_rate, view.diffusion_rate);
-  view.diffusion_slope = p.component(Field::diffusion_slope);
+  for (const kernels::TermRow& row : kernels::term_rows) {
+    double** out = view.output + row.first_output;
+    for (const kernels::FieldUse& use : row.writes) {
+      for (int c = 0; c < use.components; ++c) *out++ = state.particles.component(field_of(use), c);
+    }
+  }
   return view;
 }
 
@@ -120,19 +119,22 @@ kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& mode
   return view;
 }
 
-void sweep_all(State& state) {
-  run_force_sweep(state, state.kernels.fused, state.kernels.fused_in_compression);
-}
 void sweep_gradient(State& state) {
-  run(state, state.kernels.gradient, sweep_view(state), state.sweep.narrow_records);
+  run(state, state.kernels.gradient.whole, sweep_view(state), state.sweep.narrow_records);
 }
-void sweep_force(State& state) {
-  run_force_sweep(state, state.kernels.force, state.kernels.force_in_compression);
+void sweep_force(State& state) { run_force_sweep(state, state.kernels.force); }
+void sweep_all(State& state) {
+  if (state.kernels.fused.whole) {
+    run_force_sweep(state, state.kernels.fused);
+  } else {
+    sweep_gradient(state);
+    sweep_force(state);
+  }
 }
 
 void sweep_force_with(const State& state, const kernels::PairSweepView<double>& view,
                       NarrowRecords& narrow) {
-  run(state, state.kernels.force, view, narrow);
+  run(state, state.kernels.force.whole, view, narrow);
 }
 
 }  // namespace scarp

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/step/phase.hpp"
+#include "engine/sweep/chosen_kernels.hpp"
 #include "engine/sweep/narrow_records.hpp"
 #include "engine/sweep/records.hpp"
 #include "kernels/isa/kernel_table.hpp"
@@ -11,25 +12,6 @@ namespace scarp {
 
 struct State;
 
-/// A pair sweep in the precision of the run; the other one is null.
-struct ChosenSweep {
-  kernels::PairSweep<double> in_double = nullptr;
-  kernels::PairSweep<float> mixed = nullptr;
-};
-
-/// Sweeps and passes chosen once per run.
-struct ChosenKernels {
-  const kernels::KernelTable* table = nullptr;
-  ChosenSweep fused;     ///< Verlet
-  ChosenSweep gradient;  ///< kick-drift-kick
-  ChosenSweep force;     ///< kick-drift-kick, wall reactions, energies
-  ChosenSweep fused_in_compression, force_in_compression;  ///< without artificial stress
-  int cluster_size = 0;                                    ///< of the pair sweeps
-  bool artificial_stress = false;
-  bool correction = false;
-  bool viscosity = false;
-  bool diffusion = false;
-};
 /// What the sweeps read besides the lists.
 struct SweepInput {
   Records records;
@@ -54,7 +36,7 @@ void sweep_force_with(const State& state, const kernels::PairSweepView<double>& 
 
 namespace phases {
 
-/// Where soil is in tension a sweep of forces packs more records of stress and density.
+/// Where soil is in tension a sweep of forces packs second lines of the records.
 inline constexpr DataSet force_input{Field::density, Field::stress, Part::records, Part::lists};
 inline constexpr DataSet force_output{Field::acceleration, Field::approach_rate, Part::records};
 inline constexpr DataSet gradient_output{Field::density_rate, Field::velocity_gradient,

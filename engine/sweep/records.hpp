@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Packed records of all particles, soil first, then dummies, mirror images, the far record.
+/// Packed records of all particles.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,17 @@
 
 #include "engine/particles/aligned_vector.hpp"
 #include "engine/particles/particle_buffers.hpp"
+#include "engine/sweep/record_layout.hpp"
+#include "kernels/pair/term.hpp"
 #include "kernels/particle_view.hpp"
 
 namespace scarp {
 
-/// What turns a particle into a record; one value per material.
+/// What turns a particle into a record, besides what its group knows.
 struct RecordScaling {
   double inverse_smoothing_length = 1.0;
   double gradient_factor = 1.0;      ///< alpha_D / (h^(d+1) M), see kernels::RecordSlot
-  std::vector<double> mass;          ///< [kg]
-  std::vector<double> wave_modulus;  ///< K + 4G/3 [Pa]
+  std::vector<double> wave_modulus;  ///< by material, K + 4G/3 [Pa]
 };
 
 /// A position no particle is near: b = max(2-q, 0) is 0 and every product stays finite.
@@ -25,45 +26,39 @@ inline constexpr double far_away = 1e8;
 class Records {
  public:
   Records() = default;
-  Records(std::int64_t soil_slots, std::int64_t wall_slots);
+  /// Of so many slots of soil and of dummies, without ghosts and images.
+  Records(std::int64_t owned_slots, std::int64_t dummy_slots);
 
-  /// Room for this many mirror images behind the dummies; the far record follows them.
-  void resize_images(std::int64_t count);
+  const RecordLayout& layout() const { return layout_; }
+  /// Room for this many ghosts and images; what they hold is lost, that of the others stays.
+  void resize(std::int64_t ghosts, std::int64_t images);
 
-  /// Writes the records of all soil particles and returns the largest squared displacement since
-  /// the lists were built [m2] (0 without build positions).
-  double pack_soil(int threads, const ParticleBuffers& particles, const RecordScaling& scaling);
-  /// Writes the artificial stress of particles in tension (Eq. 27 with `epsilon`), and returns
-  /// whether any is. Takes memory for tension records from the first time on that any is.
-  bool pack_tension(int threads, const ParticleBuffers& particles, double epsilon);
+  /// Writes what `read` names of the records of soil, owned or ghosts, and returns the largest
+  /// squared displacement since the lists were built [m2] (0 without build positions). Position,
+  /// volume, velocity, density and stress are always written: walls and images read them.
+  double pack(int threads, Role role, const ParticleBuffers& particles,
+              const RecordScaling& scaling, kernels::SlotSet read);
+  /// Room for the second lines, all zero.
+  void take_second();
 
-  double* wall(std::int64_t dummy) {
-    return records_.data() + (first_wall_ + dummy) * kernels::record_size;
-  }
+  double* record(Role role, std::int64_t slot) { return record(layout_[role].first + slot); }
   double* record(std::int64_t index) { return records_.data() + index * kernels::record_size; }
-  double* tension_record(std::int64_t index) {
-    return tension_records_.data() + index * kernels::tension_record_size;
+  /// Second line of a record, and whether it is not zero. Pre: has_second().
+  double* second(std::int64_t index) {
+    return second_.data() + index * kernels::second_record_size;
   }
-  std::uint8_t& tension(std::int64_t index) { return tension_[static_cast<std::size_t>(index)]; }
-  bool has_tension_records() const { return !tension_records_.empty(); }
-  std::int64_t first_wall() const { return first_wall_; }
-  std::int64_t first_image() const { return first_image_; }
-  std::int64_t far_record() const { return far_record_; }
+  std::uint8_t& mark(std::int64_t index) { return marked_[static_cast<std::size_t>(index)]; }
+  bool has_second() const { return !second_.empty(); }
   std::size_t bytes() const;
 
   /// The record part of a sweep's view.
-  void fill(kernels::PairSweepView<double>& view, bool with_tension) const;
+  void fill(kernels::PairSweepView<double>& view, bool with_second) const;
 
  private:
-  void resize_tension();
-  bool any_tension(int threads, const ParticleBuffers& particles) const;
-
-  std::int64_t first_wall_ = 0;
-  std::int64_t first_image_ = 0;
-  std::int64_t far_record_ = 0;
+  RecordLayout layout_;
   AlignedVector<double> records_;
-  AlignedVector<double> tension_records_;
-  std::vector<std::uint8_t> tension_;
+  AlignedVector<double> second_;
+  std::vector<std::uint8_t> marked_;
 };
 
 }  // namespace scarp

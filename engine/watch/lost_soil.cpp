@@ -102,7 +102,7 @@ class LostSearch {
   bool meets_a_wall(const Vec3& x, const Vec3& v, FacetSearch& search) const {
     const auto passes_by = [&](std::size_t wall) {
       return [this, start = minus(x, walls_.offset[wall]), v](const AxisBox& box) {
-        return passes(start, v, box.widened(1.5 * state_.scene.spacing));
+        return passes(start, v, box.widened(1.5 * state_.particles.largest_spacing()));
       };
     };
     const auto found = surface_.find(passes_by, search);
@@ -117,7 +117,7 @@ class LostSearch {
       const std::array<double, 2> times = roots(a, b, c);
       return std::any_of(times.begin(), times.end(), [&](double t) {
         return t > 0.0 && coordinates(facet, dimension_, at_time(t, from_wall, v))
-                              .above(facet, state_.scene.spacing);
+                              .above(facet, state_.particles.largest_spacing());
       });
     });
   }
@@ -127,7 +127,8 @@ class LostSearch {
   /// Whether that way is in the box at some time t > 0, or all but: it begins there or comes in
   /// through a side.
   bool passes(const Vec3& x, const Vec3& v, const AxisBox& box) const {
-    const AxisBox wider = box.widened(0.5 * state_.scene.spacing);  // far above round-off
+    const AxisBox wider =
+        box.widened(0.5 * state_.particles.largest_spacing());  // far above round-off
     const auto is_inside = [&](const Vec3& point) {
       return wider.meets(AxisBox::around(point, point));
     };
@@ -219,8 +220,7 @@ void count_lost_soil(State& state) {
   if (state.scene.walls.empty()) return;
   const Slots found = LostSearch(state).found();
   double count = static_cast<double>(found.size()), mass = 0.0;
-  for (const std::int64_t slot : found)
-    mass += state.scaling.mass[state.particles.group_of(slot).material];
+  for (const std::int64_t slot : found) mass += state.particles.group_of(slot).mass;
   state.reduction->sum_each({&count, &mass});
   if (count == 0.0) return;
   LostSoil& lost = state.lost;
@@ -245,9 +245,8 @@ void count_lost_soil(State& state) {
     state.reduction->sum_each(position);
     lost.position = position[0];
   }
-  state.lost_ids.resize(static_cast<std::size_t>(state.particles.count()));
-  for (const std::int64_t slot : found)
-    state.lost_ids[static_cast<std::size_t>(id_of(slot))] = true;
+  for (const std::int64_t slot : found) state.lost_ids.push_back(id_of(slot));
+  std::sort(state.lost_ids.begin(), state.lost_ids.end());
   lost.mass += mass;
   lost.particles += static_cast<std::uint64_t>(count);
 }

@@ -31,13 +31,12 @@ Vec3 point_of(const ParticleBuffers& particles, Field field, std::int64_t slot) 
 }
 
 Crossing first_crossing(const State& state) {
-  const double lost = lost_depth * state.scene.spacing;
   const int dimension = state.scene.dimension;
   const WallSurface& surface = state.boundary.surface;
   const std::vector<std::uint32_t> few = surface.all_if_few(state.boundary.stands);
   const WallPlacement walls{state.boundary.stands, state.boundary.offset};
   // Of a chunk, the first particle that has passed the first face that any has.
-  const auto look = [&](std::int64_t begin, std::int64_t end) {
+  const auto look = [&](std::int64_t begin, std::int64_t end, double lost) {
     FacetSearch search;
     Crossing first;
     std::uint32_t first_face = std::numeric_limits<std::uint32_t>::max();
@@ -65,7 +64,7 @@ Crossing first_crossing(const State& state) {
     const Crossing found = parallel_reduce(
         state.threads, group.count, particle_chunk, Crossing{},
         [&](std::int64_t begin, std::int64_t end) {
-          return look(group.first + begin, group.first + end);
+          return look(group.first + begin, group.first + end, lost_depth * group.spacing);
         },
         [](Crossing& total, const Crossing& part) {
           if (total.slot < 0) total = part;
@@ -84,7 +83,7 @@ void watch_walls(const State& state) {
   lost.field = fmt::format("depth behind wall '{}'", state.scene.walls[found.wall].name);
   lost.unit = std::string("m");
   lost.value = found.depth;
-  lost.limit = lost_depth * state.scene.spacing;
+  lost.limit = lost_depth * state.particles.group_of(found.slot).spacing;
   lost.cause = std::string(
       "a grain pressed or thrown through the face: soil too soft for its load, a gap or a sharp "
       "corner near by, or a time step too long; from here they look alike");

@@ -147,10 +147,7 @@ std::optional<Instability> energy_from_nothing(const State& state) {
   const EnergyBalance& start = state.ledger.start;
   const EnergyBalance now = energy_balance(state);
   const double gain = now.kinetic - start.kinetic + now.potential + now.elastic;
-  double mass = 0.0;
-  for (const ParticleGroup& group : state.particles.groups())
-    mass += static_cast<double>(group.count) * state.scaling.mass[group.material];
-  mass = state.reduction->sum_of(mass);
+  const double mass = state.reduction->sum_of(state.particles.mass());
   // Without weight, speed and stress round-off is all there is: a thousandth of the wave speed.
   const double slow = 1e-3 * state.limits.sound_speed;
   const double spent =

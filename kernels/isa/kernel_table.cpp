@@ -11,14 +11,12 @@ namespace {
 template <class Real>
 PairSweep<Real> first_that_covers(std::span<const CompiledSweep<Real>> sweeps,
                                   const SweepVariant& wanted) {
+  constexpr TermSet halves{Term::velocity_gradient, Term::momentum};
   for (const CompiledSweep<Real>& candidate : sweeps) {
     const SweepVariant& have = candidate.variant;
-    const bool covers = have.dimension == wanted.dimension && have.terms == wanted.terms &&
-                        have.viscosity >= wanted.viscosity &&
-                        have.artificial_stress >= wanted.artificial_stress &&
-                        have.correction >= wanted.correction &&
-                        have.diffusion >= wanted.diffusion && have.continuity >= wanted.continuity;
-    if (covers) return candidate.sweep;
+    if (have.dimension == wanted.dimension && (have.terms & halves) == (wanted.terms & halves) &&
+        have.terms.covers(wanted.terms))
+      return candidate.sweep;
   }
   return nullptr;
 }

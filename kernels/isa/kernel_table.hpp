@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "kernels/constitutive/model_passes.hpp"
+#include "kernels/pair/term.hpp"
 #include "kernels/particle_view.hpp"
 
 namespace scarp::kernels {
@@ -17,15 +18,11 @@ struct ModelInfo;
 
 enum class Isa { sse2, avx2, avx512 };
 
-/// What a scene uses of the pair sweep; a kernel compiled for more serves a scene that uses less.
+/// What a sweep sums in how many dimensions; a kernel compiled for more serves a scene that uses
+/// less.
 struct SweepVariant {
   int dimension = 3;
-  Terms terms = Terms::fused;
-  bool viscosity = true;
-  bool artificial_stress = true;
-  bool correction = true;   ///< moment of the gradient correction
-  bool diffusion = true;    ///< stress diffusion
-  bool continuity = false;  ///< density rate by E19; corrected gradients give it themselves (K1)
+  TermSet terms;
   friend bool operator==(const SweepVariant&, const SweepVariant&) = default;
 };
 
@@ -56,7 +53,9 @@ struct KernelTable {
 
   /// Of a model of the list, or those that another one brings.
   const ModelPasses& passes_of(const ModelInfo& model) const;
-  /// The most special kernel that covers what is asked for; every table holds a general one.
+  /// The most special kernel that covers what is asked for and sums gradients and forces only where
+  /// both are asked for; every table holds general ones for either. Null: no sweep sums such
+  /// gradients and forces at once, so that two have to.
   PairSweep<double> sweep_for(const SweepVariant& wanted) const;
   PairSweep<float> mixed_sweep_for(const SweepVariant& wanted) const;
 };

@@ -2,45 +2,97 @@
 /// Pair term of the artificial stress and its weight F^n.
 #pragma once
 
+#include "kernels/pair/artificial_stress_tensor.hpp"
 #include "kernels/pair/momentum.hpp"
-#include "kernels/pair/pair_geometry.hpp"
 
 namespace scarp::kernels {
 
-/// F^n with F = W(r)/W(dx), fitted in the truncated powers of W itself: `pow` would cost more than
-/// the rest of the pair. Error over the greater of F^n and F^n(dx) = 1 (tested): 2e-7, 7e-6 and
-/// 1.5e-4 for Yang & Liu, the cubic spline and Wendland C2 with n = 2.55 at h = 1.2 dx;
-/// `fit_tension_factor` returns it.
-template <class B, class Real>
-SCARP_INLINE B tension_factor(const TruncatedPowers<B>& at, const TensionFactorView<Real>& c) {
-  return xsimd::fma(polynomial(at.inner, c.inner), at.inner_squared * at.inner,
-                    polynomial(at.outer, c.outer) * at.outer_squared);
-}
-
 /// Equation: E20, E27; rho_i m_j F^n (R_i + R_j) . grad W: R_j joins the stress of the neighbour,
-/// and the part with R_i is multiplied once after the loop. 2 d + d (d + 1) + 2 flops a pair.
-template <class B, int Dim>
-struct ArtificialStress {
-  B weighted_gradient_sum[Dim];  ///< sum_j F^n m_j grad W
+/// and the part with R_i is multiplied once after the loop. The second record line holds rho R,
+/// zero for a particle in compression.
+struct ArtificialStress : PairTerm {
+  static constexpr Term term = Term::artificial_stress;
+  static constexpr const char* name = "artificial stress";
+  static constexpr const char* text =
+      "skipped where no particle of a block is in tension; 65 bytes per particle once one is";
+  static constexpr const char* left_out = "no test for tension, no second record line";
+  static constexpr TermSet adds_to{Term::momentum};
+  static constexpr PairNeeds needs{.stress = true, .tension_factor = true};
+  static constexpr SlotSet reads = density_slot;
+  static constexpr std::array reads_fields{FieldUse{"stress", 6}, FieldUse{"density", 1}};
+  static constexpr int second_slots = 6;
+  static constexpr SecondRank second_rank = SecondRank::tensor;
+  static constexpr bool used(const TermSettings& s) { return s.artificial_stress > 0.0; }
+  /// At work, which depends on the state; with the factor F^n.
+  static constexpr int flops(int d) { return 28 + 2 * d + d * (d + 1); }
 
-  SCARP_INLINE ArtificialStress() {
-    unrolled<Dim>([&](auto a) SCARP_LAMBDA { weighted_gradient_sum[a] = B(0); });
+  /// Writes rho R of particle k, since the sweep divides by one density only; returns false, and
+  /// writes nothing, if no principal stress is tensile.
+  static bool second_line(const TermSettings& s, int dimension, const double* const* fields,
+                          std::int64_t k, double* out) {
+    const auto stress = [&](int c) { return fields[c] != nullptr ? fields[c][k] : 0.0; };
+    const SymTensor<double> sigma{stress(xx), stress(yy), stress(zz),
+                                  stress(xy), stress(yz), stress(zx)};
+    if (in_compression(sigma, dimension)) return false;
+    const SymTensor<double> tensile = positive_part(sigma, dimension);
+    const double factor = -s.artificial_stress / fields[6][k];
+    out[xx] = factor * tensile.xx;
+    out[yy] = factor * tensile.yy;
+    out[zz] = factor * tensile.zz;
+    out[xy] = factor * tensile.xy;
+    out[yz] = factor * tensile.yz;
+    out[zx] = factor * tensile.zx;
+    return true;
   }
-  SCARP_INLINE void add(const PairMotion<B, Dim>& motion, const ParticleLanes<B>& i,
-                        const B& factor, const B (&tension_j)[6], B (&stress_j)[6]) {
-    const B weight_j = factor * i.density;
-    const B weight_i = factor * motion.density;
-    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
-      B& sum = weighted_gradient_sum[a];
-      sum = xsimd::fma(weight_i, motion.volume_gradient[a], sum);
-      unrolled<Dim>([&](auto b) SCARP_LAMBDA {
-        if constexpr (a <= b) {
-          B& stress = stress_j[tensor_index[a][b]];
-          stress = xsimd::fma(weight_j, tension_j[tensor_index[a][b]], stress);
-        }
+
+  template <class B, int Dim>
+  struct Sums {
+    B weighted_gradient_sum[Dim];  ///< sum_j F^n m_j grad W
+
+    SCARP_INLINE Sums() {
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA { weighted_gradient_sum[a] = B(0); });
+    }
+    template <class Pair>
+    SCARP_INLINE void add(Pair& pair) {
+      const B weight_j = pair.tension_factor * pair.i.density;
+      const B weight_i = pair.tension_factor * pair.density;
+      B tension_j[6];
+      pair.template take_second<ArtificialStress>(tension_j);
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+        B& sum = weighted_gradient_sum[a];
+        sum = fma(weight_i, pair.volume_gradient[a], sum);
+        unrolled<Dim>([&](auto b) SCARP_LAMBDA {
+          if constexpr (a <= b) {
+            B& stress = pair.stress[tensor_index[a][b]];
+            stress = fma(weight_j, tension_j[tensor_index[a][b]], stress);
+          }
+        });
       });
-    });
-  }
+    }
+
+    /// The part with R_i, which the momentum adds to its own.
+    struct OwnPart {
+      bool there;
+      B tension[6];
+      B sums[Dim];
+      SCARP_INLINE void add(int a, int b, B& total) const {
+        // The line holds rho_i R_i, which is what E20 times rho_i asks for.
+        if (there) total = fma(tension[tensor_index[a][b]], sums[b], total);
+      }
+    };
+    template <class Own>
+    SCARP_INLINE OwnPart own_part(const Own& own) const {
+      OwnPart part{own.has_second(), {}, {}};
+      if (part.there) {
+        for (int c = 0; c < (Dim == 2 ? 4 : 6); ++c)
+          part.tension[c] = own.template second<ArtificialStress>(c);
+      }
+      for (int a = 0; a < Dim; ++a) part.sums[a] = own.fold(weighted_gradient_sum[a]);
+      return part;
+    }
+    template <class Own>
+    SCARP_INLINE void store(const Own&, double* const*) const {}
+  };
 };
 
 }  // namespace scarp::kernels

@@ -3,30 +3,57 @@
 #pragma once
 
 #include "kernels/pair/pair_geometry.hpp"
+#include "kernels/pair/term.hpp"
 
 namespace scarp::kernels {
 
-/// Position of component (a, b) among xx, yy, zz, xy, yz, zx.
-inline constexpr int tensor_index[3][3] = {{xx, xy, zx}, {xy, yy, yz}, {zx, yz, zz}};
-
 /// Equation: E20; rho_i dv_i/dt = sigma_i . sum_j V_j grad W + sum_j V_j sigma_j . grad W: sigma_i
-/// is multiplied once after the loop. 2 d^2 + d flops a pair.
-template <class B, int Dim>
-struct Momentum {
-  B gradient_sum[Dim];
-  B force[Dim];
+/// is multiplied once after the loop. Stores the acceleration without gravity [m/s2]; terms that
+/// add to it add to `force`, or to the stress of j before this term takes it.
+struct Momentum : PairTerm {
+  static constexpr Term term = Term::momentum;
+  static constexpr const char* name = "momentum";
+  static constexpr PairNeeds needs{.stress = true};
+  static constexpr SlotSet reads = density_slot | stress_slots;
+  static constexpr std::array writes{FieldUse{"acceleration", 3}};
+  static constexpr bool used(const TermSettings&) { return true; }
+  static constexpr int flops(int d) { return 2 * d * d + d; }
 
-  SCARP_INLINE Momentum() {
-    unrolled<Dim>([&](auto a) SCARP_LAMBDA { gradient_sum[a] = force[a] = B(0); });
-  }
-  SCARP_INLINE void add(const B (&stress_j)[6], const B (&volume_gradient)[Dim]) {
-    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
-      gradient_sum[a] = gradient_sum[a] + volume_gradient[a];
-      unrolled<Dim>([&](auto b) SCARP_LAMBDA {
-        force[a] = xsimd::fma(stress_j[tensor_index[a][b]], volume_gradient[b], force[a]);
+  template <class B, int Dim>
+  struct Sums {
+    B gradient_sum[Dim];
+    B force[Dim];
+
+    SCARP_INLINE Sums() {
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA { gradient_sum[a] = force[a] = B(0); });
+    }
+    template <class Pair>
+    SCARP_INLINE void add(Pair& pair) {
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+        gradient_sum[a] = gradient_sum[a] + pair.volume_gradient[a];
+        unrolled<Dim>([&](auto b) SCARP_LAMBDA {
+          force[a] = fma(pair.stress[tensor_index[a][b]], pair.volume_gradient[b], force[a]);
+        });
       });
-    });
-  }
+    }
+    template <class Own>
+    SCARP_INLINE void store(const Own& own, double* const* out) const {
+      B stress_i[6], sums[Dim];
+      for (int c = 0; c < (Dim == 2 ? 4 : 6); ++c) stress_i[c] = own.value(record_stress + c);
+      for (int a = 0; a < Dim; ++a) sums[a] = own.fold(gradient_sum[a]);
+      // Lanes of padding have density 1, so the quotient is finite.
+      const B scale = B(1) / own.i.density;
+      const auto own_part = own.own_stress_part();
+      for (int a = 0; a < Dim; ++a) {
+        B total = own.fold(force[a]);
+        for (int b = 0; b < Dim; ++b) {
+          total = fma(stress_i[tensor_index[a][b]], sums[b], total);
+          own_part.add(a, b, total);
+        }
+        own.put(out[a], total * scale);
+      }
+    }
+  };
 };
 
 }  // namespace scarp::kernels

@@ -4,44 +4,43 @@
 #pragma once
 
 #include "kernels/pair/pair_geometry.hpp"
+#include "kernels/pair/term.hpp"
 
 namespace scarp::kernels {
 
-/// Equation: E23, E24; L_ab = sum_j V_j (v_j - v_i)_a d_b W. 2 d^2 flops a pair.
-template <class B, int Dim>
-struct VelocityGradient {
-  B minus_gradient[Dim * Dim];
+/// Equation: E23, E24; L_ab = sum_j V_j (v_j - v_i)_a d_b W [1/s], row-major 3 x 3.
+struct VelocityGradient : PairTerm {
+  static constexpr Term term = Term::velocity_gradient;
+  static constexpr const char* name = "velocity gradient";
+  static constexpr SlotSet reads = velocity_slots;
+  static constexpr std::array writes{FieldUse{"velocity_gradient", 9}};
+  static constexpr bool used(const TermSettings&) { return true; }
+  static constexpr int flops(int d) { return 2 * d * d; }
 
-  SCARP_INLINE VelocityGradient() {
-    unrolled<Dim * Dim>([&](auto k) SCARP_LAMBDA { minus_gradient[k] = B(0); });
-  }
-  SCARP_INLINE void add(const PairMotion<B, Dim>& motion) {
-    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
-      unrolled<Dim>([&](auto b) SCARP_LAMBDA {
-        B& sum = minus_gradient[a * Dim + b];
-        sum = xsimd::fma(motion.velocity[a], motion.volume_gradient[b], sum);
+  template <class B, int Dim>
+  struct Sums {
+    B minus_gradient[Dim * Dim];
+
+    SCARP_INLINE Sums() {
+      unrolled<Dim * Dim>([&](auto k) SCARP_LAMBDA { minus_gradient[k] = B(0); });
+    }
+    template <class Pair>
+    SCARP_INLINE void add(Pair& pair) {
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+        unrolled<Dim>([&](auto b) SCARP_LAMBDA {
+          B& sum = minus_gradient[a * Dim + b];
+          sum = fma(pair.velocity[a], pair.volume_gradient[b], sum);
+        });
       });
-    });
-  }
-};
-
-/// Equation: K1; moment_ab = sum_j V_j (x_j - x_i)_a d_b W, upper triangle row by row; the identity
-/// inside a perfect, undisturbed body. d(d+1) flops a pair.
-template <class B, int Dim>
-struct GradientMoment {
-  B minus_moment[Dim * (Dim + 1) / 2];  ///< over h
-
-  SCARP_INLINE GradientMoment() {
-    unrolled<Dim*(Dim + 1) / 2>([&](auto k) SCARP_LAMBDA { minus_moment[k] = B(0); });
-  }
-  SCARP_INLINE void add(const PairGeometry<B, Dim>& pair, const PairMotion<B, Dim>& motion) {
-    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
-      unrolled<Dim - a>([&](auto ahead) SCARP_LAMBDA {
-        constexpr int b = a + ahead, k = a * Dim - a * (a - 1) / 2 + ahead;
-        minus_moment[k] = xsimd::fma(pair.offset[a], motion.volume_gradient[b], minus_moment[k]);
-      });
-    });
-  }
+    }
+    template <class Own>
+    SCARP_INLINE void store(const Own& own, double* const* out) const {
+      for (int a = 0; a < Dim; ++a) {
+        for (int b = 0; b < Dim; ++b)
+          own.put(out[3 * a + b], own.fold(-minus_gradient[a * Dim + b]));
+      }
+    }
+  };
 };
 
 }  // namespace scarp::kernels

@@ -66,8 +66,8 @@ TEST_P(PairSweepClosedFormTest, LinearVelocityFieldHasItsGradientExactlyAfterCor
     PairSweepView<double> view = packed.sweep_view(false);
     SweepOutput out(packed.slots());
     out.attach(view);
-    table.sweep_for({dimension_, Terms::gradient, false, false, true, false})(
-        view, 0, packed.soil_clusters());
+    table.sweep_for({dimension_, {Term::velocity_gradient, Term::moment}})(view, 0,
+                                                                           packed.soil_clusters());
     int corrected = 0;
     for (std::size_t i = 0; i < p.soil_count; ++i) {
       const GradientAndMoment at(out, i, dimension_);
@@ -106,8 +106,8 @@ TEST_P(PairSweepClosedFormTest, RigidRotationHasNoStrainAfterCorrection) {
     PairSweepView<double> view = packed.sweep_view(false);
     SweepOutput out(packed.slots());
     out.attach(view);
-    table.sweep_for({dimension_, Terms::gradient, false, false, true, false})(
-        view, 0, packed.soil_clusters());
+    table.sweep_for({dimension_, {Term::velocity_gradient, Term::moment}})(view, 0,
+                                                                           packed.soil_clusters());
     double plain = 0.0;
     for (std::size_t i = 0; i < p.soil_count; ++i) {
       const GradientAndMoment at(out, i, dimension_);
@@ -132,12 +132,13 @@ TEST_P(PairSweepClosedFormTest, FreeBlockKeepsItsMomentum) {
     PairSweepView<double> view = packed.sweep_view(true);
     SweepOutput out(packed.slots());
     out.attach(view);
-    table.sweep_for({dimension_, Terms::force, true, true, false, false})(view, 0,
-                                                                          packed.soil_clusters());
+    table.sweep_for({dimension_, {Term::momentum, Term::viscosity, Term::artificial_stress}})(
+        view, 0, packed.soil_clusters());
     for (int a = 0; a < dimension_; ++a) {
       double sum = 0.0, magnitude = 0.0;
       for (std::size_t i = 0; i < p.soil_count; ++i) {
-        const double force = p.volume[i] * p.density[i] * out.field(16 + a)[i];
+        const double force =
+            p.volume[i] * p.density[i] * out.field(SweepOutput::acceleration + a)[i];
         sum += force;
         magnitude += std::fabs(force);
       }

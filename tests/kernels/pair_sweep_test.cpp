@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Every compiled pair sweep against the scalar reference.
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 
 #include "engine/sweep/narrow_records.hpp"
+#include "kernels/pair/term_rows.hpp"
 #include "tests/kernels/pair_sweep_cases.hpp"
 
 namespace scarp::test {
@@ -12,11 +15,11 @@ namespace {
 using namespace kernels;
 
 std::string describe(const KernelTable& table, const SweepVariant& v) {
-  const char* terms[] = {"fused", "gradient", "force"};
-  return std::string(table.name) + " " + std::to_string(v.dimension) + "D " +
-         terms[static_cast<int>(v.terms)] + (v.viscosity ? " viscosity" : "") +
-         (v.artificial_stress ? " artificial_stress" : "") + (v.correction ? " correction" : "") +
-         (v.diffusion ? " diffusion" : "");
+  std::string text = std::string(table.name) + " " + std::to_string(v.dimension) + "D";
+  for (const TermRow& row : term_rows) {
+    if (v.terms.has(row.term)) text += std::string(", ") + row.name;
+  }
+  return text;
 }
 
 /// Compares one output of all soil particles. Rounding of a sum of N terms: N eps times the
@@ -38,46 +41,48 @@ void expect_field(const std::vector<ReferenceRate>& expected, const double* actu
 void expect_rates(const std::vector<ReferenceRate>& expected, SweepOutput& out,
                   const SweepVariant& v, double fit_error, double unit = epsilon) {
   const int dim = v.dimension;
-  if (v.continuity) {
-    expect_field(expected, out.field(0), "density rate", unit,
+  if (v.terms.has(Term::continuity)) {
+    expect_field(expected, out.field(SweepOutput::density_rate), "density rate", unit,
                  [](const auto& r) { return r.density_rate; });
   }
-  if (v.terms != Terms::force) {
+  if (v.terms.has(Term::velocity_gradient)) {
     for (int a = 0; a < dim; ++a) {
       for (int b = 0; b < dim; ++b) {
-        expect_field(expected, out.field(1 + 3 * a + b), "velocity gradient", unit,
+        expect_field(expected, out.field(SweepOutput::velocity_gradient + 3 * a + b),
+                     "velocity gradient", unit,
                      [&](const auto& r) { return r.velocity_gradient[3 * a + b]; });
       }
     }
   }
-  if (v.terms != Terms::force && v.correction) {
+  if (v.terms.has(Term::moment)) {
     for (const int c :
          dim == 2 ? std::vector<int>{xx, yy, xy} : std::vector<int>{xx, yy, zz, xy, yz, zx}) {
-      expect_field(expected, out.field(10 + c), "moment", unit,
+      expect_field(expected, out.field(SweepOutput::moment + c), "moment", unit,
                    [&](const auto& r) { return r.moment[c]; });
     }
   }
-  if (v.terms != Terms::force && v.diffusion) {
+  if (v.terms.has(Term::diffusion)) {
     for (int c = 0; c < (dim == 2 ? 4 : 6); ++c) {
-      expect_field(expected, out.field(20 + c), "diffusion", unit,
+      expect_field(expected, out.field(SweepOutput::diffusion_rate + c), "diffusion", unit,
                    [&](const auto& r) { return r.diffusion_rate[c]; });
     }
-    expect_field(expected, out.field(26), "diffusion slope", unit,
+    expect_field(expected, out.field(SweepOutput::diffusion_slope), "diffusion slope", unit,
                  [](const auto& r) { return r.diffusion_slope; });
   }
-  if (v.terms == Terms::gradient) return;
+  if (!v.terms.has(Term::momentum)) return;
   for (int a = 0; a < dim; ++a) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const ReferenceRate& rate = expected[i];
       const double tolerance = 64.0 * unit * (rate.neighbours + 1) * rate.acceleration[a].largest +
                                fit_error * 2 * rate.neighbours * dim * rate.largest_artificial;
-      ASSERT_NEAR(out.field(16 + a)[i], rate.acceleration[a].value, tolerance)
+      ASSERT_NEAR(out.field(SweepOutput::acceleration + a)[i], rate.acceleration[a].value,
+                  tolerance)
           << "acceleration of particle " << i;
     }
   }
-  if (!v.viscosity) return;
+  if (!v.terms.has(Term::viscosity)) return;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    ASSERT_NEAR(out.field(19)[i], expected[i].approach_rate,
+    ASSERT_NEAR(out.field(SweepOutput::approach_rate)[i], expected[i].approach_rate,
                 450.0 * unit * expected[i].approach_rate)
         << "approach rate of particle " << i;
   }
@@ -118,11 +123,12 @@ TEST_P(PairSweepTest, EveryCompiledVariantAgreesWithTheReference) {
       const SweepVariant& v = compiled.variant;
       if (v.dimension != dimension_) continue;
       SCOPED_TRACE(describe(table, v));
-      PairSweepView<double> view = packed.sweep_view(v.artificial_stress);
+      PairSweepView<double> view = packed.sweep_view(v.terms.has(Term::artificial_stress));
       SweepOutput out(packed.slots());
       out.attach(view);
       compiled.sweep(view, 0, packed.soil_clusters());
-      expect_rates(references[{v.viscosity, v.artificial_stress}], out, v, fit_error_);
+      expect_rates(references[{v.terms.has(Term::viscosity), v.terms.has(Term::artificial_stress)}],
+                   out, v, fit_error_);
     }
   }
 }
@@ -139,13 +145,14 @@ TEST_P(PairSweepTest, EveryMixedVariantAgreesToSinglePrecision) {
       const SweepVariant& v = compiled.variant;
       if (v.dimension != dimension_) continue;
       SCOPED_TRACE(describe(table, v));
-      PairSweepView<double> wide = packed.sweep_view(v.artificial_stress);
+      PairSweepView<double> wide = packed.sweep_view(v.terms.has(Term::artificial_stress));
       SweepOutput out(packed.slots());
       out.attach(wide);
       NarrowRecords narrow;
       compiled.sweep(narrow.narrow(1, wide, packed.slots() - 1), 0, packed.soil_clusters());
-      expect_rates(reference_for(particles_, settings_, v.viscosity, v.artificial_stress), out, v,
-                   1e-6 + fit_error_, mixed_epsilon);
+      expect_rates(reference_for(particles_, settings_, v.terms.has(Term::viscosity),
+                                 v.terms.has(Term::artificial_stress)),
+                   out, v, 1e-6 + fit_error_, mixed_epsilon);
     }
   }
 }
@@ -164,9 +171,10 @@ TEST_P(PairSweepTest, MixedSweepsKnowNoOrigin) {
     SweepOutput out(packed.slots());
     out.attach(wide);
     NarrowRecords narrow;
-    table.mixed_sweep_for({dimension_, Terms::fused, true, false, false, false})(
+    table.mixed_sweep_for({dimension_, {Term::momentum, Term::viscosity}})(
         narrow.narrow(1, wide, packed.slots() - 1), 0, packed.soil_clusters());
-    results.emplace_back(out.field(16), out.field(16) + p->soil_count);
+    results.emplace_back(out.field(SweepOutput::acceleration),
+                         out.field(SweepOutput::acceleration) + p->soil_count);
   }
   // Rounding of the double positions at 1000 h moves some of them to the next step.
   for (std::size_t i = 0; i < particles_.soil_count; ++i)
@@ -180,18 +188,15 @@ TEST_P(PairSweepTest, GeneralVariantsServeScenesThatUseLess) {
   for (const Isa isa : available_isas()) {
     const KernelTable& table = kernels_of(isa);
     const PackedParticles packed(particles_, inviscid, table.cluster_size);
-    for (const Terms terms : {Terms::fused, Terms::gradient, Terms::force}) {
-      for (const CompiledSweep<double>& compiled : table.sweeps) {
-        if (compiled.variant.dimension != dimension_ || compiled.variant.terms != terms) continue;
-        SCOPED_TRACE(describe(table, compiled.variant));
-        PairSweepView<double> view = packed.sweep_view(false);
-        SweepOutput out(packed.slots());
-        out.attach(view);
-        compiled.sweep(view, 0, packed.soil_clusters());
-        expect_rates(expected, out,
-                     {dimension_, terms, false, false, false, false, compiled.variant.continuity},
-                     0.0);
-      }
+    for (const CompiledSweep<double>& compiled : table.sweeps) {
+      if (compiled.variant.dimension != dimension_) continue;
+      SCOPED_TRACE(describe(table, compiled.variant));
+      PairSweepView<double> view = packed.sweep_view(false);
+      SweepOutput out(packed.slots());
+      out.attach(view);
+      compiled.sweep(view, 0, packed.soil_clusters());
+      constexpr TermSet plain{Term::continuity, Term::velocity_gradient, Term::momentum};
+      expect_rates(expected, out, {dimension_, compiled.variant.terms & plain}, 0.0);
     }
   }
 }
@@ -204,15 +209,15 @@ TEST_P(PairSweepTest, LeavesOutWhatNobodyAsksForAndNothingElseChanges) {
       const SweepVariant& v = compiled.variant;
       if (v.dimension != dimension_) continue;
       SCOPED_TRACE(describe(table, v));
-      PairSweepView<double> view = packed.sweep_view(v.artificial_stress);
+      PairSweepView<double> view = packed.sweep_view(v.terms.has(Term::artificial_stress));
       compiled.sweep(view, 0, packed.soil_clusters());  // every pointer is null
       SweepOutput all(packed.slots());
       all.attach(view);
       compiled.sweep(view, 0, packed.soil_clusters());
-      for (int wanted = 0; wanted < SweepOutput::hooks; ++wanted) {
-        PairSweepView<double> single = packed.sweep_view(v.artificial_stress);
+      for (int wanted = 0; wanted < SweepOutput::count; ++wanted) {
+        PairSweepView<double> single = packed.sweep_view(v.terms.has(Term::artificial_stress));
         SweepOutput one(packed.slots());
-        SweepOutput::hook(single, wanted) = one.field(wanted);
+        single.output[wanted] = one.field(wanted);
         compiled.sweep(single, 0, packed.soil_clusters());
         for (std::size_t i = 0; i < particles_.soil_count; ++i) {
           const double a = one.field(wanted)[i], b = all.field(wanted)[i];
@@ -231,10 +236,37 @@ TEST_P(PairSweepTest, WritesOnlyItsOwnClusters) {
     PairSweepView<double> view = packed.sweep_view(true);
     SweepOutput out(packed.slots());
     out.attach(view);
-    table.sweep_for({dimension_, Terms::fused, true, true, true, true})(view, 3, 5);
+    table.sweep_for({dimension_, {Term::momentum, Term::viscosity, Term::artificial_stress}})(view,
+                                                                                              3, 5);
     for (std::int64_t slot = 0; slot < packed.slots(); ++slot) {
       const bool inside = slot >= 3 * table.cluster_size && slot < 5 * table.cluster_size;
-      ASSERT_EQ(std::isnan(out.field(16)[slot]), !inside) << table.name << " slot " << slot;
+      ASSERT_EQ(std::isnan(out.field(SweepOutput::acceleration)[slot]), !inside)
+          << table.name << " slot " << slot;
+    }
+  }
+}
+
+TEST_P(PairSweepTest, SweepsTheActiveClustersAlone) {
+  for (const Isa isa : available_isas()) {
+    const KernelTable& table = kernels_of(isa);
+    const PackedParticles packed(particles_, settings_, table.cluster_size);
+    PairSweepView<double> view = packed.sweep_view(false);
+    SweepOutput all(packed.slots()), some(packed.slots());
+    const PairSweep<double> sweep =
+        table.sweep_for({dimension_, {Term::momentum, Term::viscosity}});
+    all.attach(view);
+    sweep(view, 0, packed.soil_clusters());
+    const std::int32_t active[]{1, 2, 5, 9};
+    view.clusters = active;
+    some.attach(view);
+    sweep(view, 0, std::ssize(active));
+    for (std::int64_t slot = 0; slot < packed.slots(); ++slot) {
+      const bool awake = std::ranges::count(active, slot / table.cluster_size) != 0;
+      const double value = some.field(SweepOutput::acceleration)[slot];
+      ASSERT_EQ(std::isnan(value), !awake) << table.name << " slot " << slot;
+      if (awake) {
+        ASSERT_EQ(value, all.field(SweepOutput::acceleration)[slot]);
+      }
     }
   }
 }

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "engine/neighbours/neighbour_blocks.hpp"
 #include "engine/scene/tension_factor_fit.hpp"
+#include "kernels/pair/list.hpp"
 #include "kernels/pair/pair_sweep_reference.hpp"
 #include "kernels/particle_view.hpp"
 #include "kernels/smoothing/list.hpp"
@@ -64,21 +66,27 @@ class PackedParticles {
         first_image_ + static_cast<std::int64_t>(particles.size() - soil_count_ - wall_count_);
     pack_records(particles);
     build_lists(particles);
+    clusters_.resize(static_cast<std::size_t>(soil_clusters()));
+    std::iota(clusters_.begin(), clusters_.end(), 0);
   }
 
   std::int64_t soil_clusters() const { return first_wall_ / cluster_size_; }
   std::int64_t wall_clusters() const { return (first_image_ - first_wall_) / cluster_size_; }
   std::int64_t first_wall() const { return first_wall_; }
   std::int64_t slots() const { return far_record_ + 1; }
+  double* record(std::int64_t slot) { return records_.data() + slot * kernels::record_size; }
+  double* second(std::int64_t slot) { return second_.data() + slot * kernels::second_record_size; }
+  std::uint8_t& mark(std::int64_t slot) { return marked_[static_cast<std::size_t>(slot)]; }
 
-  /// View without outputs; without tension there is no artificial stress.
-  kernels::PairSweepView<double> sweep_view(bool with_tension) const {
+  /// View without outputs; without second lines there is no artificial stress.
+  kernels::PairSweepView<double> sweep_view(bool with_second) const {
     kernels::PairSweepView<double> view{};
     view.records = records_.data();
-    if (with_tension) {
-      view.tension_records = tension_records_.data();
-      view.tension = tension_.data();
+    if (with_second) {
+      view.second = second_.data();
+      view.marked = marked_.data();
     }
+    view.clusters = clusters_.data();
     view.neighbours = lists_.view();
     view.smoothing_length = settings_.smoothing_length;
     const kernels::SmoothingForm& form = form_of(settings_.smoothing);
@@ -117,8 +125,8 @@ class PackedParticles {
     const double gradient_factor = form_of(settings_.smoothing).normalisation(dimension) /
                                    (std::pow(h, dimension + 1) * settings_.lattice_moment);
     records_.assign(static_cast<std::size_t>(slots() * record_size), 0.0);
-    tension_records_.assign(static_cast<std::size_t>(slots() * tension_record_size), 0.0);
-    tension_.assign(static_cast<std::size_t>(slots()), 0);
+    second_.assign(static_cast<std::size_t>(slots() * second_record_size), 0.0);
+    marked_.assign(static_cast<std::size_t>(slots()), 0);
     faces_.assign(static_cast<std::size_t>((first_image_ - first_wall_) * wall_record_size), 0.0);
     for (std::int64_t slot = 0; slot < slots(); ++slot) {
       records_[static_cast<std::size_t>(slot * record_size + record_x)] = far_position;
@@ -134,11 +142,12 @@ class PackedParticles {
       r[record_density] = p.density[k];
       r[record_sound_speed] = p.sound_speed[k];
       r[record_diffusivity] = p.diffusivity[k] / h;
-      double* t = tension_records_.data() + slot_of(k) * tension_record_size;
+      double* t = second_.data() + slot_of(k) * second_record_size +
+                  first_second<PairTerms, ArtificialStress>;
       for (std::size_t c = 0; c < 6; ++c) {
         r[record_stress + c] = p.stress[k][c];
         t[c] = p.density[k] * p.artificial_stress[k][c];
-        if (t[c] != 0.0) tension_[static_cast<std::size_t>(slot_of(k))] = 1;
+        if (t[c] != 0.0) marked_[static_cast<std::size_t>(slot_of(k))] = 1;
       }
       if (p.is_wall(k)) {
         double* w = faces_.data() + (slot_of(k) - first_wall_) * wall_record_size;
@@ -198,34 +207,37 @@ class PackedParticles {
   int cluster_size_;
   std::size_t soil_count_ = 0, wall_count_ = 0;
   std::int64_t first_wall_ = 0, first_image_ = 0, far_record_ = 0;
-  AlignedVector<double> records_, tension_records_, faces_;
-  std::vector<std::uint8_t> tension_;
+  AlignedVector<double> records_, second_, faces_;
+  std::vector<std::uint8_t> marked_;
+  std::vector<std::int32_t> clusters_;
   PackedLists lists_, wall_lists_;
 };
 
-/// Output arrays of a sweep over soil clusters, filled with NaN, and their hooks in a view.
+/// Output arrays of a sweep over soil clusters, filled with NaN.
 struct SweepOutput {
-  static constexpr int hooks = 27;
+  static constexpr int count = kernels::output_count<kernels::PairTerms>;
+  /// First output of each term.
+  template <class Term>
+  static constexpr int of = kernels::first_output<kernels::PairTerms, Term>;
+  static constexpr int density_rate = of<kernels::Continuity>;
+  static constexpr int velocity_gradient = of<kernels::VelocityGradient>;
+  static constexpr int moment = of<kernels::Moment>;
+  static constexpr int diffusion_rate = of<kernels::StressDiffusion>;
+  static constexpr int diffusion_slope = diffusion_rate + 6;
+  static constexpr int acceleration = of<kernels::Momentum>;
+  static constexpr int approach_rate = of<kernels::Viscosity>;
+
   AlignedVector<double> values;
   std::size_t slots;
 
-  explicit SweepOutput(std::int64_t count)
-      : values(static_cast<std::size_t>(count) * hooks, std::numeric_limits<double>::quiet_NaN()),
-        slots(static_cast<std::size_t>(count)) {}
+  explicit SweepOutput(std::int64_t slot_count)
+      : values(static_cast<std::size_t>(slot_count) * count,
+               std::numeric_limits<double>::quiet_NaN()),
+        slots(static_cast<std::size_t>(slot_count)) {}
 
   double* field(int index) { return values.data() + static_cast<std::size_t>(index) * slots; }
-  /// The pointer number `index` of a view, in the order of their declaration.
-  static double*& hook(kernels::PairSweepView<double>& view, int index) {
-    if (index == 0) return view.density_rate;
-    if (index < 10) return view.velocity_gradient[index - 1];
-    if (index < 16) return view.moment[index - 10];
-    if (index < 19) return view.acceleration[index - 16];
-    if (index == 19) return view.approach_rate;
-    if (index < 26) return view.diffusion_rate[index - 20];
-    return view.diffusion_slope;
-  }
   void attach(kernels::PairSweepView<double>& view) {
-    for (int k = 0; k < hooks; ++k) hook(view, k) = field(k);
+    for (int k = 0; k < count; ++k) view.output[k] = field(k);
   }
 };
 

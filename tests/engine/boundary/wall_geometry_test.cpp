@@ -64,7 +64,7 @@ TEST(NarrowGapsTest, BothWidthsAreTold) {
 TEST(WallClearanceTest, SoilBehindAReversedLineIsNamed) {
   Scene scene = line_scene({{10, 0}, {0, 0}});
   scene.bodies = {{.shape = Box{{0, 0, 0}, {10, 5, 0}}}};
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   try {
     check_wall_clearance(scene, soil);
     FAIL() << "no error";
@@ -101,7 +101,7 @@ TEST(WallClearanceTest, SoilOnTheOtherSideOfAThinWallIsClear) {
   Scene scene = empty_scene(2);
   scene.walls = {line_wall("sheet", WallKind::no_slip, {{4, 0}, {4, 4}, {5, 4}, {5, 0}})};
   scene.bodies = {{.shape = Box{{0, 0, 0}, {4, 4, 0}}}, {.shape = Box{{5, 0, 0}, {9, 4, 0}}}};
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   EXPECT_NO_THROW(check_wall_clearance(scene, soil));
   const auto held = cells(generate_dummies(scene), 0.5);
   EXPECT_EQ(held.size(), 16U);

@@ -20,7 +20,7 @@ const Vec3 speed{3.0, 4.0, 0.0};
 Scene lone_grain(const std::string& preset_name, double duration, double damping = 0.0) {
   Scene scene = elastic_column(preset_name, 1.0, dx);
   scene.walls.clear();
-  scene.bodies = {{0, Box{{0, 0, 0}, {dx, dx, 0}}, speed}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {dx, dx, 0}}, .velocity = speed}};
   scene.stages = {stage_for("fly", duration)};
   scene.stages[0].damping = damping;
   return scene;
@@ -147,8 +147,10 @@ TEST(LatticeSumsTest, FourNeighboursHaveClosedForms) {
   const double steep = volume * 0.75 * (2.0 - r) * (2.0 - r);  // -V W'(r) h
   EXPECT_NEAR(sums.moment, 2.0 * steep * r, 1e-14);
   EXPECT_NEAR(sums.wave_number, 2.0 * std::sqrt(2.0) * steep, 1e-14);
-  EXPECT_NEAR(sums.viscous, 4.0 * steep / r, 1e-14);
-  EXPECT_NEAR(sums.diffusion, 16.0 * steep / r, 1e-13);
+  EXPECT_NEAR(sums.damping[static_cast<std::size_t>(kernels::Term::viscosity)], 4.0 * steep / r,
+              1e-14);
+  EXPECT_NEAR(sums.damping[static_cast<std::size_t>(kernels::Term::diffusion)], 16.0 * steep / r,
+              1e-13);
 }
 
 }  // namespace

@@ -82,8 +82,9 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
     input.points = soil.span();
     input.ranges = soil_ranges;
     input.slots = 784;
-    input.soil = {&soil_grid, soil.span(), first_soil};
-    input.walls = {&wall_grid, walls.span(), first_wall};
+    const ParticleSource sources[] = {{Role::owned, &soil_grid, soil.span(), first_soil},
+                                      {Role::dummy, &wall_grid, walls.span(), first_wall}};
+    input.sources = sources;
     input.far_record = 3 * kernels::page_size;
     input.reach = reach;
     NeighbourLists lists;

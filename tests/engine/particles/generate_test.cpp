@@ -27,7 +27,7 @@ Scene scene_of(int dimension, double spacing, std::vector<Body> bodies) {
   return scene;
 }
 
-SoilPoints fill(int dimension, double spacing, std::vector<Body> bodies) {
+Particles fill(int dimension, double spacing, std::vector<Body> bodies) {
   return generate_soil(scene_of(dimension, spacing, std::move(bodies)));
 }
 
@@ -70,7 +70,7 @@ const std::vector<std::array<double, 2>> slope = {{0, 0},  {45, 0},  {45, 5},
                                                   {32, 5}, {12, 15}, {0, 15}};
 
 TEST(GenerateSoilTest, BoxOfTenByTenMetresHoldsFortyByForty) {
-  const SoilPoints soil = fill(2, 0.25, {{.shape = Box{{0, 0, 0}, {10, 10, 0}}}});
+  const Particles soil = fill(2, 0.25, {{.shape = Box{{0, 0, 0}, {10, 10, 0}}}});
   ASSERT_EQ(soil.position.size(), 1600U);
   for (const Vec3& p : soil.position) {
     for (std::size_t a = 0; a < 2; ++a) {
@@ -84,13 +84,13 @@ TEST(GenerateSoilTest, BoxOfTenByTenMetresHoldsFortyByForty) {
 
 TEST(GenerateSoilTest, FacesAtInexactMultiplesAreMet) {
   // 0.1 and 0.3 are not binary fractions: without a tolerance counts come out one off.
-  const SoilPoints soil = fill(2, 0.1, {{.shape = Box{{0.3, -0.7, 0}, {1.3, 0.3, 0}}}});
+  const Particles soil = fill(2, 0.1, {{.shape = Box{{0.3, -0.7, 0}, {1.3, 0.3, 0}}}});
   EXPECT_EQ(soil.position.size(), 100U);
 }
 
 TEST(GenerateSoilTest, LatticeFarFromTheOriginIsComplete) {
   const double x = 4.2e6;  // an easting, where round-off is more than a billionth of the spacing
-  const SoilPoints soil = fill(2, 0.1, {{.shape = Box{{x, x, 0}, {x + 1.0, x + 2.0, 0}}}});
+  const Particles soil = fill(2, 0.1, {{.shape = Box{{x, x, 0}, {x + 1.0, x + 2.0, 0}}}});
   EXPECT_EQ(soil.position.size(), 200U);
 }
 
@@ -109,13 +109,13 @@ TEST(GenerateSoilTest, PointsOnAFaceCountInNearAndFarFromTheOrigin) {
 TEST(GenerateSoilTest, SlopeHoldsItsAreaExactly) {
   // Every row of the face ends on a cell boundary (42 - 2y is a multiple of 0.25 m), so the rows
   // add up to the area of 445 m2 without the half-cell error that a face has in general.
-  const SoilPoints soil = fill(2, 0.25, {{.shape = Polygon{slope}}});
+  const Particles soil = fill(2, 0.25, {{.shape = Polygon{slope}}});
   EXPECT_EQ(soil.position.size(), 7120U);
 }
 
 TEST(GenerateSoilTest, SlopeAtAnyShiftHoldsItsAreaWithinHalfACellPerRow) {
   for (const double spacing : {0.3, 0.41, 0.77}) {
-    const SoilPoints soil = fill(2, spacing, {{.shape = Polygon{slope}}});
+    const Particles soil = fill(2, spacing, {{.shape = Polygon{slope}}});
     // Rows meet the face and the right wall, columns the crest and the toe: half a cell for each.
     const double bound = 0.5 * (15.0 + 15.0 + 45.0) / spacing + 4.0;
     EXPECT_NEAR(static_cast<double>(soil.position.size()), 445.0 / (spacing * spacing), bound);
@@ -125,8 +125,8 @@ TEST(GenerateSoilTest, SlopeAtAnyShiftHoldsItsAreaWithinHalfACellPerRow) {
 TEST(GenerateSoilTest, MirroredSlopeHoldsMirroredPoints) {
   auto mirrored = slope;
   for (auto& p : mirrored) p[0] = 45.0 - p[0];
-  SoilPoints both = fill(2, 0.25, {{.shape = Polygon{slope}}});
-  const SoilPoints other = fill(2, 0.25, {{.shape = Polygon{mirrored}}});
+  Particles both = fill(2, 0.25, {{.shape = Polygon{slope}}});
+  const Particles other = fill(2, 0.25, {{.shape = Polygon{mirrored}}});
   ASSERT_EQ(both.position.size(), other.position.size());
   both.position.insert(both.position.end(), other.position.begin(), other.position.end());
   expect_mirrored(both.position, 0.25, [](const Vec3& p) { return Vec3{45.0 - p[0], p[1], 0.0}; });
@@ -134,7 +134,7 @@ TEST(GenerateSoilTest, MirroredSlopeHoldsMirroredPoints) {
 
 TEST(GenerateSoilTest, FacesThroughLatticePointsAreSymmetric) {
   // Faces at 45 degrees pass exactly through lattice points; round-off must not choose a side.
-  const SoilPoints soil = fill(2, 0.1, {{.shape = Polygon{{{0, 0}, {6, 0}, {4, 2}, {2, 2}}}}});
+  const Particles soil = fill(2, 0.1, {{.shape = Polygon{{{0, 0}, {6, 0}, {4, 2}, {2, 2}}}}});
   // Row k has 60 - 2k cells plus none lost: the points on the two faces count in.
   EXPECT_EQ(soil.position.size(), 820U);
   expect_mirrored(soil.position, 0.1, [](const Vec3& p) { return Vec3{6.0 - p[0], p[1], 0.0}; });
@@ -143,19 +143,19 @@ TEST(GenerateSoilTest, FacesThroughLatticePointsAreSymmetric) {
 TEST(GenerateSoilTest, ConcaveOutlineLeavesItsNotchEmpty) {
   const std::vector<std::array<double, 2>> notch = {{0, 0}, {3, 0}, {3, 3}, {2, 3},
                                                     {2, 1}, {1, 1}, {1, 3}, {0, 3}};
-  const SoilPoints soil = fill(2, 0.5, {{.shape = Polygon{notch}}});
+  const Particles soil = fill(2, 0.5, {{.shape = Polygon{notch}}});
   EXPECT_EQ(soil.position.size(), 28U);
   for (const Vec3& p : soil.position) EXPECT_FALSE(p[0] > 1 && p[0] < 2 && p[1] > 1);
 }
 
 TEST(GenerateSoilTest, BoxIn3DHoldsItsVolume) {
-  const SoilPoints soil = fill(3, 0.5, {{.shape = Box{{0, 0, 0}, {2, 3, 4}}}});
+  const Particles soil = fill(3, 0.5, {{.shape = Box{{0, 0, 0}, {2, 3, 4}}}});
   EXPECT_EQ(soil.position.size(), 4U * 6U * 8U);
 }
 
 TEST(GenerateSoilTest, ExtrudedOutlineLiesInXAndZ) {
-  const SoilPoints soil = fill(3, 0.5, {{.shape = Polygon{slope, {2.0, 4.0}}}});
-  const SoilPoints section = fill(2, 0.5, {{.shape = Polygon{slope}}});
+  const Particles soil = fill(3, 0.5, {{.shape = Polygon{slope, {2.0, 4.0}}}});
+  const Particles section = fill(2, 0.5, {{.shape = Polygon{slope}}});
   EXPECT_EQ(soil.position.size(), 4U * section.position.size());
   for (const Vec3& p : soil.position) {
     EXPECT_GT(p[1], 2.0);
@@ -165,8 +165,8 @@ TEST(GenerateSoilTest, ExtrudedOutlineLiesInXAndZ) {
 }
 
 TEST(GenerateSoilTest, DiscAndRingHoldTheirAreaAndAreSymmetric) {
-  const SoilPoints disc = fill(2, 0.1, {{.shape = Cylinder{{1, 2, 0}, 3.0, 0.0, 0.0}}});
-  const SoilPoints ring = fill(2, 0.1, {{.shape = Cylinder{{1, 2, 0}, 3.0, 2.0, 0.0}}});
+  const Particles disc = fill(2, 0.1, {{.shape = Cylinder{{1, 2, 0}, 3.0, 0.0, 0.0}}});
+  const Particles ring = fill(2, 0.1, {{.shape = Cylinder{{1, 2, 0}, 3.0, 2.0, 0.0}}});
   // Lattice points in a circle of R/dx = 30 differ from its area by less than 2.2 sqrt(R/dx) < 1 %.
   EXPECT_NEAR(static_cast<double>(disc.position.size()), 900.0 * std::numbers::pi, 20.0);
   EXPECT_NEAR(static_cast<double>(ring.position.size()), 500.0 * std::numbers::pi, 40.0);
@@ -182,8 +182,8 @@ TEST(GenerateSoilTest, DiscAndRingHoldTheirAreaAndAreSymmetric) {
 }
 
 TEST(GenerateSoilTest, TubeStandsUpright) {
-  const SoilPoints tube = fill(3, 0.25, {{.shape = Cylinder{{0, 0, 1}, 2.0, 1.0, 2.0}}});
-  const SoilPoints ring = fill(2, 0.25, {{.shape = Cylinder{{0, 0, 0}, 2.0, 1.0, 0.0}}});
+  const Particles tube = fill(3, 0.25, {{.shape = Cylinder{{0, 0, 1}, 2.0, 1.0, 2.0}}});
+  const Particles ring = fill(2, 0.25, {{.shape = Cylinder{{0, 0, 0}, 2.0, 1.0, 0.0}}});
   EXPECT_EQ(tube.position.size(), 8U * ring.position.size());
   for (const Vec3& p : tube.position) EXPECT_TRUE(p[2] > 1.0 && p[2] < 3.0);
 }
@@ -191,9 +191,9 @@ TEST(GenerateSoilTest, TubeStandsUpright) {
 TEST(GenerateSoilTest, ProfilesAlongXAndYGiveTurnedBodies) {
   HeightField field{{0, 0}, {10, 10}, -1.0, HeightField::Kind::x_profile, {}, {}, ""};
   field.profile = {{2, 3}, {6, 1}};  // constant beyond its ends
-  const SoilPoints along_x = fill(3, 0.5, {{.shape = field}});
+  const Particles along_x = fill(3, 0.5, {{.shape = field}});
   field.kind = HeightField::Kind::y_profile;
-  const SoilPoints along_y = fill(3, 0.5, {{.shape = field}});
+  const Particles along_y = fill(3, 0.5, {{.shape = field}});
   // Area of the section: 2 x 4 + 4 x 3 + 4 x 2 m2; over 4 m the face, of gradient 1/2, shifts each
   // column by at most half a cell.
   EXPECT_NEAR(static_cast<double>(along_x.position.size()), 20.0 * 28.0 / 0.25, 20.0 * 0.5 * 8.0);
@@ -206,7 +206,7 @@ TEST(GenerateSoilTest, ProfilesAlongXAndYGiveTurnedBodies) {
 TEST(GenerateSoilTest, RadialProfileMakesACone) {
   HeightField field{{-4, -4}, {4, 4}, 0.0, HeightField::Kind::radial_profile, {0, 0}, {}, ""};
   field.profile = {{0, 4}, {4, 0}};
-  const SoilPoints cone = fill(3, 0.2, {{.shape = field}});
+  const Particles cone = fill(3, 0.2, {{.shape = field}});
   const double volume = static_cast<double>(cone.position.size()) * 0.008;
   // Each column of the plan disc errs by up to half a spacing.
   EXPECT_NEAR(volume, std::numbers::pi * 64.0 / 3.0, 0.1 * 16.0 * std::numbers::pi);
@@ -216,18 +216,18 @@ TEST(GenerateSoilTest, RadialProfileMakesACone) {
 TEST(GenerateSoilTest, ExpressionEqualsTheProfileItSpells) {
   HeightField profile{{0, 0}, {10, 10}, 0.0, HeightField::Kind::x_profile, {}, {}, ""};
   profile.profile = {{0, 5}, {10, 1}};
-  const SoilPoints wanted = fill(3, 0.5, {{.shape = profile}});
-  const SoilPoints soil = fill(3, 0.5, {{.shape = expression("5 - 0.4*x")}});
+  const Particles wanted = fill(3, 0.5, {{.shape = profile}});
+  const Particles soil = fill(3, 0.5, {{.shape = expression("5 - 0.4*x")}});
   EXPECT_EQ(soil.position, wanted.position);
   // x > y has to be told from y > x.
-  const SoilPoints step = fill(3, 0.5, {{.shape = expression("x > y ? 4 : 1")}});
+  const Particles step = fill(3, 0.5, {{.shape = expression("x > y ? 4 : 1")}});
   for (const Vec3& p : step.position) EXPECT_TRUE(p[2] < 1.0 || p[0] > p[1]);
 }
 
 TEST(GenerateSoilTest, SharedPointsBelongToTheFirstBody) {
   const Body first{.shape = Box{{0, 0, 0}, {2, 2, 0}}, .material = "rock", .velocity = {1, 0, 0}};
   const Body second{.shape = Box{{1, 0, 0}, {4, 2, 0}}, .velocity = {0, 2, 0}};
-  const SoilPoints soil = fill(2, 0.5, {first, second});
+  const Particles soil = fill(2, 0.5, {first, second});
   ASSERT_EQ(soil.position.size(), 32U);  // 16 + 24 - 8
   for (std::size_t i = 0; i < 32; ++i) {
     EXPECT_EQ(soil.material[i], soil.position[i][0] < 2.0 ? 1U : 0U);
@@ -238,7 +238,7 @@ TEST(GenerateSoilTest, SharedPointsBelongToTheFirstBody) {
 TEST(GenerateSoilTest, BodyInTheMiddleOfAnotherSplitsItsColumns) {
   const Body seam{.shape = Box{{0, 1, 0}, {4, 2, 0}}, .material = "rock"};
   const Body around{.shape = Box{{0, 0, 0}, {4, 4, 0}}};
-  const SoilPoints soil = fill(2, 0.5, {seam, around});
+  const Particles soil = fill(2, 0.5, {seam, around});
   ASSERT_EQ(soil.position.size(), 64U);
   for (std::size_t i = 0; i < 64; ++i) {
     const bool inside = soil.position[i][1] > 1.0 && soil.position[i][1] < 2.0;
@@ -279,7 +279,7 @@ TEST(GenerateSoilTest, WrongExpressionIsQuotedWithItsPlace) {
 TEST(GenerateSoilTest, VelocityFieldIsEvaluatedAtEveryParticle) {
   Body turning{.shape = Box{{0, 0, 0}, {2, 1, 0}}};
   turning.velocity_field = {"-2*pi*y", "x^2"};
-  const SoilPoints soil = generate_soil(scene_of(2, 0.5, {turning}));
+  const Particles soil = generate_soil(scene_of(2, 0.5, {turning}));
   ASSERT_EQ(soil.position.size(), 8u);
   for (std::size_t i = 0; i < soil.position.size(); ++i) {
     const Vec3& at = soil.position[i];
@@ -318,7 +318,7 @@ TEST(EstimateParticlesTest, IsExactWhereColumnsAreFewAndNearWhereTheyAreMany) {
       2, 0.25,
       {{.shape = Box{{2, 2, 0}, {6, 4, 0}}, .material = "rock"}, {.shape = Polygon{slope}}});
   scene.materials.resize(3);
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   std::vector<double> counted(3, 0.0);
   for (const std::size_t material : soil.material) ++counted[material];
   EXPECT_EQ(estimate_particles(scene), counted);

@@ -16,7 +16,10 @@
 #include <vector>
 
 #include "engine/particles/readable.hpp"
+#include "engine/sweep/chosen_kernels.hpp"
 #include "engine/sweep/records.hpp"
+#include "engine/sweep/second_lines.hpp"
+#include "kernels/pair/term_rows.hpp"
 
 namespace scarp::test {
 namespace {
@@ -35,7 +38,11 @@ TEST(FieldTableTest, RowsStandInTheOrderOfTheirFieldsUnderNamesOfTheirOwn) {
 ParticleBuffers filled(const FieldRow& declared) {
   std::vector<Field> used;
   for (const FieldRow& field : field_list) used.push_back(field.field);
-  return {2, {{0, 3, 16, 0, 1500.0}, {16, 2, 16, 1, 2000.0}}, used, std::span(&declared, 1)};
+  return {2,
+          {{{.reference_density = 1500.0, .mass = 2.0}, 0, 3, 16},
+           {{.material = 1, .reference_density = 2000.0, .mass = 5.0}, 16, 2, 16}},
+          used,
+          std::span(&declared, 1)};
 }
 
 constexpr FieldRow cohesion_left{declared_field(0),
@@ -99,7 +106,7 @@ TEST(FieldTableTest, ADeclaredFieldIsStoredSortedAndReadByItsName) {
   std::iota(order.begin(), order.end(), 0);
   std::swap(order[0], order[2]);
   particles.permute(1, order);
-  const std::vector<bool> none;
+  const std::vector<std::int64_t> none;
   const auto& rows = particles.rows();
   const auto found = std::find_if(rows.begin(), rows.end(), [](const FieldRow& field) {
     return std::string_view(field.name) == "cohesion_left";
@@ -122,22 +129,32 @@ TEST(FieldTableTest, ACopyThatCarriesTheGhostColumnHasTheRecordsOfItsOriginal) {
       }
     }
   }
-  const RecordScaling scaling{3.0, 0.7, {2.0, 5.0}, {1e7, 4e7}};
+  const RecordScaling scaling{3.0, 0.7, {1e7, 4e7}};
+  ChosenKernels chosen;
+  chosen.settings.yields = true;
+  chosen.settings.viscosity_alpha = chosen.settings.artificial_stress =
+      chosen.settings.stress_diffusion = 0.3;
+  chosen.terms = kernels::used_terms(chosen.settings);
+  const kernels::SlotSet read = kernels::slots_read(chosen.terms);
   Records records(original.slots(), 0), of_copy(copy.slots(), 0);
-  records.pack_soil(1, original, scaling);
-  of_copy.pack_soil(1, copy, scaling);
-  EXPECT_EQ(records.pack_tension(1, original, 0.3), of_copy.pack_tension(1, copy, 0.3));
+  records.pack(1, Role::owned, original, scaling, read);
+  of_copy.pack(1, Role::owned, copy, scaling, read);
+  const ParticleBuffers no_ghosts;
+  EXPECT_TRUE(pack_second_lines(1, {original, no_ghosts}, chosen, records));
+  EXPECT_TRUE(pack_second_lines(1, {copy, no_ghosts}, chosen, of_copy));
   for (const ParticleGroup& group : original.groups()) {
     for (std::int64_t k = group.first; k < group.end(); ++k) {
       for (int slot = 0; slot < kernels::record_size; ++slot)
         ASSERT_EQ(records.record(k)[slot], of_copy.record(k)[slot]) << "slot " << slot;
+      for (int value = 0; value < kernels::second_record_size; ++value)
+        ASSERT_EQ(records.second(k)[value], of_copy.second(k)[value]) << "value " << value;
     }
   }
 }
 
 TEST(ParticleBuffersTest, AReSortCarriesTheStateAndNoRates) {
   constexpr Field used[]{Field::density, Field::velocity_gradient};
-  ParticleBuffers particles(2, {{0, 16, 16, 0}}, used);
+  ParticleBuffers particles(2, {{{}, 0, 16, 16}}, used);
   std::array<std::int32_t, 16> order{};
   for (std::size_t k = 0; k < 16; ++k) {
     particles.component(Field::density)[k] = static_cast<double>(k);
@@ -147,6 +164,91 @@ TEST(ParticleBuffersTest, AReSortCarriesTheStateAndNoRates) {
   particles.permute(1, order);
   EXPECT_EQ(particles.component(Field::density)[0], 15.0);
   EXPECT_EQ(particles.component(Field::velocity_gradient, 1)[0], 0.0);
+}
+
+/// Two groups of 20 and 5 particles whose x and id are 100 times the group and the number in it.
+ParticleBuffers two_groups() {
+  constexpr Field used[]{Field::position, Field::density, Field::acceleration};
+  std::vector<ParticleGroup> groups{{{}, 0, 20, 32}, {{}, 32, 5, 16}};
+  groups[1].material = 1;
+  ParticleBuffers particles(2, groups, used);
+  for (const ParticleGroup& group : particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      const auto id = static_cast<std::int64_t>(100 * group.material) + k - group.first;
+      particles.ids()[static_cast<std::size_t>(k)] = id;
+      particles.component(Field::position, 0)[k] = static_cast<double>(id);
+      particles.component(Field::density)[k] = 2000.0;
+      particles.component(Field::acceleration, 1)[k] = static_cast<double>(-id);
+    }
+  }
+  return particles;
+}
+
+/// Whether every particle carries its own x and rate and padding is as it should be.
+void expect_sound(const ParticleBuffers& particles, std::size_t count) {
+  std::size_t found = 0;
+  for (const ParticleGroup& group : particles.groups()) {
+    EXPECT_EQ(group.first % group_alignment, 0);
+    EXPECT_EQ(group.capacity % group_alignment, 0);
+    EXPECT_LE(group.count, group.capacity);
+    for (std::int64_t k = group.first; k < group.padded_end(); ++k) {
+      const auto id = particles.ids()[static_cast<std::size_t>(k)];
+      if (k >= group.end()) {
+        EXPECT_EQ(id, -1);
+        EXPECT_EQ(particles.component(Field::density)[k], 1.0);
+        continue;
+      }
+      ++found;
+      EXPECT_EQ(particles.component(Field::position, 0)[k], static_cast<double>(id));
+      EXPECT_EQ(particles.component(Field::acceleration, 1)[k], static_cast<double>(-id));
+      EXPECT_EQ(particles.group_of(k).material, group.material);
+    }
+  }
+  EXPECT_EQ(found, count);
+  EXPECT_EQ(particles.count(), static_cast<std::int64_t>(count));
+  EXPECT_EQ(particles.slots(), particles.groups().back().padded_end());
+}
+
+TEST(ParticleBuffersTest, GroupsGrowBeyondTheirCapacity) {
+  ParticleBuffers particles = two_groups();
+  std::vector<std::int64_t> ids;
+  for (std::int64_t id = 1'000'000'000'000; ids.size() < 30; id += 7) ids.push_back(id);
+  const std::int64_t first = particles.add(0, ids);
+  EXPECT_EQ(first, 20);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const std::int64_t slot = first + static_cast<std::int64_t>(k);
+    EXPECT_EQ(particles.component(Field::density)[slot], 1.0);
+    particles.component(Field::position, 0)[slot] = static_cast<double>(ids[k]);
+    particles.component(Field::acceleration, 1)[slot] = static_cast<double>(-ids[k]);
+  }
+  expect_sound(particles, 55);
+  EXPECT_EQ(particles.groups()[1].first, 64);
+}
+
+TEST(ParticleBuffersTest, WhatFitsMovesNothing) {
+  ParticleBuffers particles = two_groups();
+  constexpr std::int64_t ids[]{7'000'000};
+  const std::int64_t first = particles.add(1, ids);
+  EXPECT_EQ(first, 37);
+  particles.component(Field::position, 0)[first] = 7'000'000.0;
+  particles.component(Field::acceleration, 1)[first] = -7'000'000.0;
+  expect_sound(particles, 26);
+  EXPECT_EQ(particles.slots(), 48);
+}
+
+TEST(ParticleBuffersTest, WhatIsRemovedLeavesNoGapAndGivesUpCapacity) {
+  ParticleBuffers particles = two_groups();
+  constexpr std::int64_t slots[]{0, 3, 4, 7, 19, 32, 33, 34, 35, 36};
+  particles.remove(slots);
+  expect_sound(particles, 15);
+  EXPECT_EQ(particles.groups()[0].capacity, 16);
+  EXPECT_EQ(particles.groups()[1].count, 0);
+  EXPECT_EQ(particles.slots(), 16);
+  // An empty group takes particles again.
+  constexpr std::int64_t ids[]{500};
+  const std::int64_t first = particles.add(1, ids);
+  EXPECT_EQ(first, 16);
+  EXPECT_EQ(particles.group_of(first).material, 1U);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ const std::vector<Probe> ties{at(12, 15), at(32, 5), at(20, 4), at(7, 15)};
 
 TEST(ProbeParticlesTest, AMirroredSceneFollowsTheMirroredParticle) {
   const Scene scene = test::small_slope("modern", 0.1, 0.1, 1.0), image = mirrored(scene);
-  const SoilPoints soil = generate_soil(scene), image_soil = generate_soil(image);
+  const Particles soil = generate_soil(scene), image_soil = generate_soil(image);
   for (const Probe& probe : ties) {
     const ChosenParticle here = particle_of_probe(scene, soil, probe);
     const Vec3 wanted = mirrored(probe.at);
@@ -47,7 +47,7 @@ TEST(ProbeParticlesTest, AMirroredSceneFollowsTheMirroredParticle) {
 
 TEST(ProbeParticlesTest, OfParticlesThatTieTheHighestIsTakenThenTheOneWithMostSoilAround) {
   const Scene scene = test::small_slope("modern", 0.1, 0.1, 1.0);
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   const auto place = [&](double x, double y) {
     return soil.position[particle_of_probe(scene, soil, at(x, y)).id];
   };
@@ -58,8 +58,8 @@ TEST(ProbeParticlesTest, OfParticlesThatTieTheHighestIsTakenThenTheOneWithMostSo
 
 TEST(ProbeParticlesTest, RoundOffAndOrderDoNotTurnATie) {
   const Scene scene = test::small_slope("modern", 0.1, 0.1, 1.0);
-  const SoilPoints soil = generate_soil(scene);
-  SoilPoints shaken = soil;
+  const Particles soil = generate_soil(scene);
+  Particles shaken = soil;
   std::reverse(shaken.position.begin(), shaken.position.end());
   for (std::size_t k = 0; k < shaken.position.size(); ++k) {
     for (std::size_t a = 0; a < 2; ++a) {
@@ -76,7 +76,7 @@ TEST(ProbeParticlesTest, RoundOffAndOrderDoNotTurnATie) {
 
 TEST(ProbeParticlesTest, APointFurtherThanTwoSpacingsFromAllSoilIsAnError) {
   Scene scene = test::small_slope("modern", 0.1, 0.1, 1.0);
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   // The highest particles are at y = 14.5.
   EXPECT_DOUBLE_EQ(particle_of_probe(scene, soil, at(5.5, 16.5)).distance, 2.0);
   scene.probes = {at(5.5, 16.6)};

@@ -36,7 +36,7 @@ Body box(std::size_t material, const Vec3& minimum, const Vec3& maximum) {
 /// Calls check(position, above) for each particle.
 template <class Check>
 void for_each(const Scene& scene, Check&& check) {
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   const std::vector<SoilAbove> above = soil_above(scene, soil, 2);
   ASSERT_EQ(above.size(), soil.position.size());
   for (std::size_t i = 0; i < above.size(); ++i) check(soil.position[i], above[i]);
@@ -176,7 +176,7 @@ TEST(SoilAboveTest, ASceneTurnedWithItsGravityKeepsItsWeights) {
 TEST(SoilAboveTest, AlmostStraightGravityIsThatAlongTheAxis) {
   Scene scene = scene_of(2, 0.5, {1000.0, 2600.0},
                          {box(0, {0, 5, 0}, {4, 8, 0}), box(1, {0, 0, 0}, {4, 5, 0})});
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   const std::vector<SoilAbove> straight = soil_above(scene, soil, 1);
   scene.gravity[0] = 1e-7;
   const std::vector<SoilAbove> oblique = soil_above(scene, soil, 1);
@@ -190,7 +190,7 @@ TEST(SoilAboveTest, AHeightThatCannotBeFoundOnARayIsAnError) {
   HeightField field{{0, 0}, {4, 4}, 0.0, HeightField::Kind::expression, {}, {}, {}};
   field.expression = "abs(rint(2*x - 0.5) - (2*x - 0.5)) < 0.01 ? 3 : 1/0";
   Scene scene = scene_of(3, 0.5, {2000.0}, {{.shape = field}});
-  const SoilPoints soil = generate_soil(scene);
+  const Particles soil = generate_soil(scene);
   scene.gravity = {3.0, 0.0, -9.0};
   EXPECT_THROW(soil_above(scene, soil, 2), SceneError);
 }

@@ -6,6 +6,7 @@
 
 #include "engine/check/stability_margin.hpp"
 #include "engine/integrate/lattice_sums.hpp"
+#include "engine/sweep/chosen_kernels.hpp"
 #include "kernels/smoothing/list.hpp"
 #include "tests/support/small_scenes.hpp"
 
@@ -16,6 +17,8 @@ LatticeSums sums_of(const Numerics& n, int dimension) {
   return lattice_sums(kernels::smoothing_functions[static_cast<std::size_t>(n.smoothing)],
                       n.smoothing_ratio, dimension);
 }
+
+std::size_t place(kernels::Term term) { return static_cast<std::size_t>(term); }
 
 StateExtremes extremes(double signal, double approach, double acceleration) {
   StateExtremes e;
@@ -37,7 +40,9 @@ Scene free_block(const std::string& preset_name, Integrator integrator) {
 
 TEST(StepLimitTest, TheLowestClosedFormGoverns) {
   constexpr double h = 0.3, cfl = 0.5;
-  const DissipationRates none{}, rates{2.0, 6.0, 0.0}, diffusion{0.0, 0.0, 4.0};
+  DampingRates none{}, rates{}, diffusion{};
+  rates[place(kernels::Term::viscosity)] = {2.0, 6.0};
+  diffusion[place(kernels::Term::diffusion)] = {4.0, 0.0};
   const auto expect = [&](const AdmissibleStep& step, double time, StepLimit limit) {
     EXPECT_DOUBLE_EQ(step.time_step, cfl * time);
     EXPECT_EQ(step.limit, limit);
@@ -55,9 +60,9 @@ TEST(StepLimitTest, PresetsAreNotSlowedByTheirDissipation) {
   for (const char* name : {"paper", "modern"}) {
     for (const int dimension : {2, 3}) {
       const Numerics n = preset(name);
-      const DissipationRates rates = dissipation_rates(n, sums_of(n, dimension), true);
-      EXPECT_LT(rates.viscous, 1.0);
-      EXPECT_LT(rates.diffusion, 1.0);
+      const DampingRates rates = damping_rates(n, sums_of(n, dimension), term_settings(n, true));
+      for (const kernels::DampingRate& rate : rates) EXPECT_LT(rate.signal, 1.0);
+      EXPECT_GT(rates[place(kernels::Term::viscosity)].signal, 0.0);
     }
   }
 }

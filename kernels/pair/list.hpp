@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The pair terms, and what follows from their list: places of their outputs, needs, work.
+#pragma once
+
+#include <type_traits>
+
+#include "kernels/pair/artificial_stress.hpp"
+#include "kernels/pair/continuity.hpp"
+#include "kernels/pair/moment.hpp"
+#include "kernels/pair/momentum.hpp"
+#include "kernels/pair/stress_diffusion.hpp"
+#include "kernels/pair/velocity_gradient.hpp"
+#include "kernels/pair/viscosity.hpp"
+
+namespace scarp::kernels {
+
+template <class... T>
+struct TermList {
+  static constexpr std::size_t size = sizeof...(T);
+};
+
+/// The one list: a term stands here, in `Term` and in its own header. Terms that change the stress
+/// of the neighbour come before the momentum, which takes it; terms that add to the force after.
+using PairTerms = TermList<Continuity, VelocityGradient, Moment, StressDiffusion, ArtificialStress,
+                           Momentum, Viscosity>;
+
+/// Sum of value<T>() over the terms before `Wanted` (over all of them for void).
+template <class Wanted, class... T, class Value>
+constexpr int sum_before(TermList<T...>, Value&& value) {
+  int sum = 0;
+  bool before = true;
+  ((before = before && !std::is_same_v<T, Wanted>, sum += before ? value(T{}) : 0), ...);
+  return sum;
+}
+template <class T>
+constexpr int output_count_of(T) {
+  int sum = 0;
+  for (const FieldUse& field : T::writes) sum += field.components;
+  return sum;
+}
+/// Where the outputs of a term begin in PairSweepView::output, its values in the second line.
+template <class List, class T>
+inline constexpr int first_output = sum_before<T>(List{},
+                                                  [](auto term) { return output_count_of(term); });
+template <class List, class T>
+inline constexpr int first_second = sum_before<T>(List{}, [](auto term) {
+  return decltype(term)::second_slots;
+});
+
+/// How many values all terms of a list write, and have in the second line.
+template <class List>
+inline constexpr int output_count = first_output<List, void>;
+template <class List>
+inline constexpr int second_count = first_second<List, void>;
+
+/// Whether the terms of a list stand in the order of their numbers and fit in the views.
+template <class... T>
+constexpr bool is_sound(TermList<T...> list) {
+  std::uint32_t next = 0;
+  const bool ordered = ((static_cast<std::uint32_t>(T::term) == next++) && ...);
+  return ordered && output_count<decltype(list)> <= most_outputs &&
+         second_count<decltype(list)> <= second_record_size;
+}
+static_assert(is_sound(PairTerms{}) && PairTerms::size == term_count);
+
+/// What the terms of a set want of a pair; between soil and dummies only those that act there.
+template <class... T>
+constexpr PairNeeds needs_of(TermList<T...>, TermSet set, bool wall) {
+  PairNeeds needs;
+  ((needs = set.has(T::term) && (T::across_walls || !wall) ? needs | T::needs : needs), ...);
+  return needs;
+}
+/// Whether any term of a set has values in the second record line.
+template <class... T>
+constexpr bool reads_second(TermList<T...>, TermSet set) {
+  return ((set.has(T::term) && T::second_slots > 0) || ...);
+}
+
+/// The terms that have.
+template <class... T>
+constexpr TermSet second_terms(TermList<T...>) {
+  TermSet set;
+  ((set = T::second_slots > 0 ? set | TermSet{T::term} : set), ...);
+  return set;
+}
+
+/// Flops of one pair in a sweep over these terms; the artificial stress counts as at work.
+template <class... T>
+constexpr int pair_flops(TermList<T...> list, int d, TermSet set) {
+  const PairNeeds needs = needs_of(list, set, false);
+  int flops = 3 * d + 16;           // offset, 1/r, slope of W, V_j grad W / r
+  if (needs.densities) flops += 4;  // regularised denominator and densities
+  if (needs.regularised && set.has(Term::diffusion)) flops += 2;  // the denominator by itself
+  flops += 2 * d;                                                 // relative velocity, V_j grad W
+  if (set.has(Term::continuity) || set.has(Term::viscosity)) flops += 2 * d - 1;  // approach
+  ((flops += set.has(T::term) ? T::flops(d) : 0), ...);
+  return flops;
+}
+
+}  // namespace scarp::kernels

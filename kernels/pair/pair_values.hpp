@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// What a term sees of a pair while it sums, and of its own particles when it stores.
+#pragma once
+
+#include "kernels/pair/cluster_lanes.hpp"
+#include "kernels/pair/list.hpp"
+#include "kernels/simd.hpp"
+
+namespace scarp::kernels {
+
+/// The records of two list entries, one for each half of the lanes.
+template <class Arch, class Real>
+class RecordPair {
+  using Quad = RecordQuad<Real, Arch>;
+
+ public:
+  SCARP_INLINE RecordPair(const Real* records, std::int32_t low, std::int32_t high)
+      : records_(records), low_(low), high_(high) {}
+  /// Four values from slot `First` on.
+  template <int First>
+  SCARP_INLINE Quad quad() const {
+    return Quad(records_ + std::int64_t{low_} * record_size + First,
+                records_ + std::int64_t{high_} * record_size + First);
+  }
+  SCARP_INLINE Batch<Real, Arch> density() const {
+    return quad<record_velocity_x>()(constant<record_density - record_velocity_x>);
+  }
+
+ private:
+  const Real* records_;
+  std::int32_t low_, high_;
+};
+
+/// The cluster's own particles: values of their records, sums over both halves, outputs.
+template <class Arch, class Real, int Dim>
+struct OwnValues {
+  using B = Batch<Real, Arch>;
+  const PairSweepView<Real>& view;
+  ClusterLanes<Real, Arch> cluster;
+  ParticleLanes<B> i;
+
+  SCARP_INLINE OwnValues(const PairSweepView<Real>& of, std::int64_t first)
+      : view(of), cluster{first} {
+    i.density = value(record_density);
+    i.sound_speed = value(record_sound_speed);
+    i.diffusivity = value(record_diffusivity);
+    for (int a = 0; a < Dim; ++a) {
+      i.position[a] = value(record_x + a);
+      i.velocity[a] = value(record_velocity_x + a);
+    }
+  }
+  SCARP_INLINE B value(int slot) const { return cluster.load(view.records, record_size, slot); }
+};
+
+/// The same with all sums of the sweep, for a term that stores.
+template <class List, class Sums, class OwnValues>
+struct StoreValues {
+  using B = typename OwnValues::B;
+  const OwnValues& own;
+  const Sums& sums;
+  const decltype(OwnValues::i)& i = own.i;
+
+  SCARP_INLINE B value(int slot) const { return own.value(slot); }
+  SCARP_INLINE bool has_second() const { return own.view.marked != nullptr; }
+  /// Value `c` of term T in the second line.
+  template <class T>
+  SCARP_INLINE B second(int c) const {
+    return own.cluster.load(own.view.second, second_record_size, first_second<List, T> + c);
+  }
+  SCARP_INLINE B smoothing_length() const {
+    return B(static_cast<typename B::value_type>(own.view.smoothing_length));
+  }
+  /// Sums (or takes the maximum of) both halves, into every lane.
+  SCARP_INLINE B fold(const B& value, bool maximum = false) const {
+    return own.cluster.fold(value, maximum);
+  }
+  /// Writes a folded value, unless nobody asks for it.
+  SCARP_INLINE void put(double* out, const B& folded) const { own.cluster.put(out, folded); }
+  /// What the terms beside the momentum do with the stress of the own particles.
+  SCARP_INLINE auto own_stress_part() const { return sums.own_parts(*this); }
+};
+
+/// A pair in the second stage. `Needs` are those of the terms at work on it, `Densities` tells
+/// whether the first stage has put them into `inverse_regularised`.
+template <class Arch, class Real, int Dim, PairNeeds Needs, bool Densities, class List, class Sums>
+struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real, Arch>, Dim> {
+  using B = Batch<Real, Arch>;
+  const PairConstants<Real>& constants;
+  const ParticleLanes<B>& i;
+  B stress[6];  ///< of j, and of what terms before the momentum add to it
+
+  SCARP_INLINE PairValues(const PairSweepView<Real>& view, const ParticleLanes<B>& own,
+                          const PairGeometry<B, Dim>& geometry, std::int32_t low, std::int32_t high,
+                          Sums& sums)
+      : PairGeometry<B, Dim>(geometry),
+        constants(view.constants),
+        i(own),
+        view_(view),
+        low_(low),
+        high_(high),
+        sums_(sums),
+        more_(RecordPair<Arch, Real>(view.records, low, high).template quad<record_stress + 4>()) {
+    const RecordPair<Arch, Real> records(view.records, low, high);
+    const auto moving = records.template quad<record_velocity_x>();
+    this->density = moving(constant<record_density - record_velocity_x>);
+    unrolled<Dim>([&](auto a) SCARP_LAMBDA { this->velocity[a] = i.velocity[a] - moving(a); });
+    complete_motion<B, Dim>(*this, *this);
+    if constexpr (Needs.stress)
+      take_tensor<Dim>(records.template quad<record_stress>(), more_, stress);
+  }
+
+  SCARP_INLINE B sound_speed() const {
+    return more_(constant<record_sound_speed - record_stress - 4>);
+  }
+  SCARP_INLINE B diffusivity() const {
+    return more_(constant<record_diffusivity - record_stress - 4>);
+  }
+  /// 1/((r/h)^2 + 0.01).
+  SCARP_INLINE B inverse_regularised_distance() const {
+    if constexpr (Densities) return this->inverse_regularised * (i.density + this->density);
+    return this->inverse_regularised;
+  }
+  /// Value `c` of term T in the second lines.
+  template <class T, int C>
+  SCARP_INLINE B second(std::integral_constant<int, C>) const {
+    constexpr int place = first_second<List, T> + C, quad = place / 4 * 4;
+    return second_quad<quad>()(constant<place - quad>);
+  }
+  /// The stored components of a tensor that is all T has there.
+  template <class T>
+  SCARP_INLINE void take_second(B (&out)[6]) const {
+    constexpr int first = first_second<List, T>;
+    static_assert(first % 4 == 0, "vectors load four values from aligned places");
+    take_tensor<Dim>(second_quad<first>(), second_quad<first + 4>(), out);
+  }
+  /// What term T sums, for a term that adds to it.
+  template <class T>
+  SCARP_INLINE auto& sums_of() {
+    return sums_.template of<T>();
+  }
+
+ private:
+  template <int First>
+  SCARP_INLINE RecordQuad<Real, Arch> second_quad() const {
+    return RecordQuad<Real, Arch>(view_.second + std::int64_t{low_} * second_record_size + First,
+                                  view_.second + std::int64_t{high_} * second_record_size + First);
+  }
+
+  const PairSweepView<Real>& view_;
+  std::int32_t low_, high_;
+  Sums& sums_;
+  RecordQuad<Real, Arch> more_;
+};
+
+}  // namespace scarp::kernels

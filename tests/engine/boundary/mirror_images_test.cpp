@@ -128,7 +128,8 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     constexpr std::int64_t count = 40;
     constexpr Field used[]{Field::position, Field::build_position, Field::velocity, Field::density,
                            Field::stress};
-    ParticleBuffers soil(3, {{0, count, padded(count), 0, density}}, used);
+    ParticleBuffers soil(
+        3, {{{.reference_density = density, .mass = 1.0}, 0, count, padded(count)}}, used);
     std::vector<Point> wanted;
     for (std::int64_t k = 0; k < count; ++k) {
       Point point;
@@ -157,14 +158,14 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     images.select(corner.scene, surface, {stands, offset}, points, {&range, 1}, {&k0, 1}, reach,
                   0.1);
     ASSERT_EQ(images.count(), static_cast<std::int64_t>(wanted.size()));
-    const RecordScaling scaling{1.0 / smoothing_length, 1.0, {1.0}, {1e7}};
+    const RecordScaling scaling{1.0 / smoothing_length, 1.0, {1e7}};
     Records records(soil.slots(), 0);
-    records.pack_soil(1, soil, scaling);
-    records.resize_images(images.count());
+    records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot);
+    records.resize(0, images.count());
     images.pack(records, scaling.inverse_smoothing_length, offset, velocity, corner.gravity);
     std::vector<Point> made;
     for (std::int64_t g = 0; g < images.count(); ++g)
-      made.push_back(read_record(records.record(records.first_image() + g)));
+      made.push_back(read_record(records.record(Role::image, g)));
     std::sort(made.begin(), made.end(), before);
     std::sort(wanted.begin(), wanted.end(), before);
     for (std::size_t g = 0; g < wanted.size(); ++g) expect_same(made[g], wanted[g]);

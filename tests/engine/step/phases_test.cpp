@@ -35,12 +35,12 @@ bool same(const State& a, const State& b, const FieldRow& field, int component) 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void poison_records(State& state) {
-  for (std::int64_t k = 0; k <= state.sweep.records.far_record(); ++k)
+  for (std::int64_t k = 0; k < state.sweep.records.layout().records(); ++k)
     std::fill_n(state.sweep.records.record(k), kernels::record_size, nan);
 }
 
 bool same_records(State& a, State& b) {
-  const auto bytes = static_cast<std::size_t>(a.sweep.records.far_record() + 1) *
+  const auto bytes = static_cast<std::size_t>(a.sweep.records.layout().records()) *
                      kernels::record_size * sizeof(double);
   return std::memcmp(a.sweep.records.record(0), b.sweep.records.record(0), bytes) == 0;
 }

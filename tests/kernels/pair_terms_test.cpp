@@ -78,7 +78,7 @@ TEST(PairTermsTest, NameNoSlotThatTheyDoNotRead) {
     for (int slot = 0; slot < record_size; ++slot) {
       if (!read.has(slot) || !is_used(slot, compiled.variant.dimension)) continue;
       // In 2D no force comes of zz.
-      if (compiled.variant.dimension == 2 && slot == record_stress + zz) continue;
+      if (compiled.variant.dimension == 2 && slot == int{record_stress} + int{zz}) continue;
       PackedParticles changed = packed;
       for (std::int64_t k = 0; k < changed.slots(); ++k)
         changed.record(k)[slot] *= slot == record_density ? 2.0 : 1.0 + 1e-3;

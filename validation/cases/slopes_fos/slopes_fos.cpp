@@ -95,17 +95,28 @@ void judge_early_stops(CaseRun& run, const std::string& name, const StrengthRedu
                  fmt::format("exact: {} trials run to the end of the window", checked)));
 }
 
-/// With psi = phi the soil obeys the normality that Bishop's method and limit analysis rest on.
-void tell_associated(CaseRun& run, const std::string& name, Scene scene, double bishop) {
-  SoilModel& soil = scene.materials.front().model;
-  soil.set("dilation_angle", soil.parameter("friction_angle"));
-  StrengthReduction slope(settled_state(run, name + ", psi = phi", scene),
-                          choose_criterion(scene, {}));
-  const FactorOfSafety found = search(run, name + ", psi = phi", slope, bishop);
-  run.add(reported(
-      name + ": FOS with psi = phi", found.bracket.factor().value_or(std::nan("")), "",
-      fmt::format("{:+.1f} % from Bishop",
-                  100.0 * (found.bracket.factor().value_or(std::nan("")) / bishop - 1.0))));
+/// The same slope of another soil.
+void tell_with(CaseRun& run, const std::string& name, Scene scene, const SoilModel& soil,
+               double bishop) {
+  scene.materials.front().model = soil;
+  StrengthReduction slope(settled_state(run, name, scene), choose_criterion(scene, {}));
+  const double factor = search(run, name, slope, bishop).bracket.factor().value_or(std::nan(""));
+  run.add(reported(name + ": FOS", factor, "",
+                   fmt::format("{:+.1f} % from Bishop", 100.0 * (factor / bishop - 1.0))));
+}
+
+/// With psi = phi the soil obeys the normality that Bishop's method and limit analysis rest on;
+/// Mohr-Coulomb has Coulomb's strength without a choice of cone.
+void tell_other_soils(CaseRun& run, const std::string& name, const Scene& scene, double bishop) {
+  const auto cone = scene.materials.front().model.as<DruckerPrager>();
+  DruckerPrager associated = cone;
+  associated.dilation_angle = cone.friction_angle;
+  MohrCoulomb coulomb{cone.youngs_modulus, cone.poisson_ratio, cone.cohesion, cone.friction_angle,
+                      cone.dilation_angle};
+  tell_with(run, name + ", psi = phi", scene, associated, bishop);
+  tell_with(run, name + ", Mohr-Coulomb", scene, coulomb, bishop);
+  coulomb.dilation_angle = coulomb.friction_angle;
+  tell_with(run, name + ", Mohr-Coulomb, psi = phi", scene, coulomb, bishop);
 }
 
 void tell_sudden(CaseRun& run, const std::string& name, const Simulation& settled, double bishop) {
@@ -162,7 +173,7 @@ Simulation judge_slope(CaseRun& run, const PublishedSlope& published) {
     const double factor = found.bracket.factor().value_or(std::nan(""));
     series.errors.push_back({spacing, factor / reference - 1.0});
     if (spacing == published.spacings[1]) {
-      tell_associated(run, name, scene, reference);
+      tell_other_soils(run, name, scene, reference);
       tell_sudden(run, name, slope.settled(), reference);
     }
     if (spacing == spacings.back()) {

@@ -8,7 +8,7 @@
 namespace scarp::kernels {
 
 template <class B, int Dim, TermSet Set, class List>
-struct TermSums;
+class TermSums;
 
 template <class B, int Dim, TermSet Set, class... T>
 class TermSums<B, Dim, Set, TermList<T...>> {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/particles/aligned_vector.hpp"
-#include "engine/sweep/record_layout.hpp"
+#include "engine/particles/record_layout.hpp"
 #include "kernels/particle_view.hpp"
 
 namespace scarp {

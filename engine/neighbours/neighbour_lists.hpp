@@ -9,7 +9,7 @@
 
 #include "engine/cells/cell_grid.hpp"
 #include "engine/neighbours/neighbour_blocks.hpp"
-#include "engine/sweep/record_layout.hpp"
+#include "engine/particles/record_layout.hpp"
 #include "kernels/isa/kernel_table.hpp"
 #include "kernels/particle_view.hpp"
 

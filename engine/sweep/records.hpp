@@ -7,7 +7,7 @@
 
 #include "engine/particles/aligned_vector.hpp"
 #include "engine/particles/particle_buffers.hpp"
-#include "engine/sweep/record_layout.hpp"
+#include "engine/particles/record_layout.hpp"
 #include "kernels/pair/term.hpp"
 #include "kernels/particle_view.hpp"
 

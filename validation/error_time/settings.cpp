@@ -9,6 +9,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/scene/nearest_name.hpp"
+#include "engine/scene/numerics_list.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -102,15 +103,9 @@ Numerics numerics_of(const Setting& setting, Numerics of_preset) {
 }
 
 std::string numerics_text(const Numerics& numerics) {
-  // A row added to the numerics must be added here: the binding then does not compile.
-  const auto& [preset, smoothing, ratio, normalisation, correction, rotation, alpha, beta,
-               artificial, exponent, diffusion, gate, integrator, restart, cfl, skin, lowest,
-               highest, precision] = numerics;
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", preset,
-                     static_cast<int>(smoothing), ratio, normalisation, correction,
-                     static_cast<int>(rotation), alpha, beta, artificial, exponent, diffusion, gate,
-                     static_cast<int>(integrator), restart, cfl, skin, lowest, highest,
-                     word(precision));
+  std::string text = numerics.preset;
+  for (const NumericsRow& row : numerics_list) text += fmt::format(" {}", row.get(numerics));
+  return text;
 }
 
 }  // namespace scarp::validation

@@ -15,7 +15,7 @@ struct RunOptions {
   /// 0: as many as pay at the moment, at most what OpenMP would take (see `Team`); else exactly
   /// that many. Errors: SceneError if there are fewer cores.
   int threads = 0;
-  std::string isa;  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
+  std::string isa{};  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
   bool oversubscribe = false;  ///< allows up to 16 threads on fewer cores: slow, for tests
   /// Whether to stop: looked at before each step and within the set-up, by copies of a simulation
   /// too, in the thread that called. Cheap, and safe to call at any time; empty: never.

@@ -58,7 +58,7 @@ class Simulation {
   /// Advances one time step, entering the next stage first where one has ended.
   const StepReport& step();
   /// True when the last stage has ended.
-  bool finished() const;
+  [[nodiscard]] bool finished() const;
   /// Ends the current stage now: the next `step()` enters the next one.
   void end_stage();
   /// Replaces the stages that follow the current one (a family of runs from one settled state).
@@ -66,7 +66,7 @@ class Simulation {
   /// Multiplies every time step from now on in place of the factor before; 1 at the start. A
   /// snapshot holds it. Errors: Error unless above 0 and finite.
   void set_step_factor(double factor);
-  double step_factor() const;
+  [[nodiscard]] double step_factor() const;
   /// Adds to each velocity pseudo-random components within +-`speed` [m/s], by the particles' ids
   /// alone: noise in which an instability can grow. Errors: Error unless finite.
   void perturb(double speed);
@@ -76,28 +76,29 @@ class Simulation {
   /// What a hook throws leaves `step()`. Errors: Error for a phase that the run does not have.
   void on_phase(std::string_view phase, When when, PhaseHook hook);
   /// The phases of the start of a stage, then those of a step, in their order.
-  std::vector<PhaseInfo> phases() const;
+  [[nodiscard]] std::vector<PhaseInfo> phases() const;
   /// An independent copy that goes on from here bit for bit.
-  Simulation clone() const;
+  [[nodiscard]] Simulation clone() const;
   /// The complete state, to be kept in a file (`engine/output/checkpoint_file.hpp`); taking one
   /// changes nothing.
-  Snapshot snapshot() const;
+  [[nodiscard]] Snapshot snapshot() const;
 
-  const Scene& scene() const;
-  const StepReport& last_step() const;
-  std::size_t stage_index() const;
-  bool stage_ended() const;         ///< the current stage has reached its end
-  bool stage_reached_rest() const;  ///< ... because everything came to rest, not by its time
+  [[nodiscard]] const Scene& scene() const;
+  [[nodiscard]] const StepReport& last_step() const;
+  [[nodiscard]] std::size_t stage_index() const;
+  [[nodiscard]] bool stage_ended() const;  ///< the current stage has reached its end
+  [[nodiscard]] bool stage_reached_rest()
+      const;  ///< ... because everything came to rest, not by its time
 
-  std::size_t soil_count() const;
-  std::size_t wall_count() const;         ///< dummy particles of the walls
-  std::vector<FieldInfo> fields() const;  ///< what frames hold of each particle
+  [[nodiscard]] std::size_t soil_count() const;
+  [[nodiscard]] std::size_t wall_count() const;         ///< dummy particles of the walls
+  [[nodiscard]] std::vector<FieldInfo> fields() const;  ///< what frames hold of each particle
   /// Values of the soil particles in order of their permanent id, `components` per particle, SI.
   /// Also "position" and "lost" (1 or 0). Throws Error for an unknown name.
-  std::vector<double> field(std::string_view name) const;
+  [[nodiscard]] std::vector<double> field(std::string_view name) const;
   /// The same without a copy, in the order of memory; "position" and what `fields` lists, but for
   /// what is computed when it is read ("displacement", "id", "material"). Error for another name.
-  FieldView view(std::string_view name) const;
+  [[nodiscard]] FieldView view(std::string_view name) const;
   /// Replaces a field that is part of the state and not a position ("velocity", "density",
   /// "stress", a history variable) by values in the form that `field` gives; forces follow from
   /// them in the next step. The energy balance begins anew with what is set, as at the start of a
@@ -105,37 +106,42 @@ class Simulation {
   /// values that are not finite.
   void set_field(std::string_view name, std::span<const double> values);
   /// The permanent ids of all particles, ascending: the order of `field`.
-  std::vector<std::int64_t> ids() const;
-  std::vector<double> wall_positions() const;  ///< 3 per dummy particle
+  [[nodiscard]] std::vector<std::int64_t> ids() const;
+  [[nodiscard]] std::vector<double> wall_positions() const;  ///< 3 per dummy particle
 
   /// Looks at the present state as `step()` does every 50 steps. Errors: SimulationInstability.
   void require_sound() const;
   /// Soil lost so far; looked for every 50 steps and when a stage ends.
-  const LostSoil& lost_soil() const;
-  EnergyBalance energy() const;
-  std::vector<WallReaction> wall_reactions() const;
-  ProbeSample probe(std::size_t index) const;      ///< Error for an index the scene does not have
-  ProbeSample probe(std::string_view name) const;  ///< Error for a name the scene does not have
-  const std::vector<ProbeParticle>& probe_particles() const;
+  [[nodiscard]] const LostSoil& lost_soil() const;
+  [[nodiscard]] EnergyBalance energy() const;
+  [[nodiscard]] std::vector<WallReaction> wall_reactions() const;
+  [[nodiscard]] ProbeSample probe(
+      std::size_t index) const;  ///< Error for an index the scene does not have
+  [[nodiscard]] ProbeSample probe(
+      std::string_view name) const;  ///< Error for a name the scene does not have
+  [[nodiscard]] const std::vector<ProbeParticle>& probe_particles() const;
 
-  double smoothing_length() const;
-  double spacing() const;    ///< of the particles, the largest of all groups [m]
-  double soil_mass() const;  ///< [kg, per metre in 2D]
+  [[nodiscard]] double smoothing_length() const;
+  [[nodiscard]] double spacing() const;    ///< of the particles, the largest of all groups [m]
+  [[nodiscard]] double soil_mass() const;  ///< [kg, per metre in 2D]
   /// Largest CFL number for sound on the undisturbed lattice, in closed form (T1).
-  double acoustic_cfl_limit() const;
-  double lattice_moment() const;  ///< M of the undisturbed lattice for this smoothing function
-  std::string isa() const;        ///< the instruction set in use
-  int threads() const;            ///< that a step may have
-  const RunOptions& options() const;
-  std::size_t memory_bytes() const;           ///< state, records, walls, images, cells and lists
-  std::uint64_t rebuild_count() const;        ///< of the neighbour lists so far
-  std::uint64_t density_bound_count() const;  ///< how often the density bounds acted so far
-  const StepLimitCounts& step_limit_counts() const;
-  std::uint64_t face_hold_count() const;  ///< how often a grain was held off a face
-  std::vector<UsedFeature> features() const;
+  [[nodiscard]] double acoustic_cfl_limit() const;
+  [[nodiscard]] double lattice_moment()
+      const;  ///< M of the undisturbed lattice for this smoothing function
+  [[nodiscard]] std::string isa() const;  ///< the instruction set in use
+  [[nodiscard]] int threads() const;      ///< that a step may have
+  [[nodiscard]] const RunOptions& options() const;
+  [[nodiscard]] std::size_t memory_bytes()
+      const;  ///< state, records, walls, images, cells and lists
+  [[nodiscard]] std::uint64_t rebuild_count() const;  ///< of the neighbour lists so far
+  [[nodiscard]] std::uint64_t density_bound_count()
+      const;  ///< how often the density bounds acted so far
+  [[nodiscard]] const StepLimitCounts& step_limit_counts() const;
+  [[nodiscard]] std::uint64_t face_hold_count() const;  ///< how often a grain was held off a face
+  [[nodiscard]] std::vector<UsedFeature> features() const;
   /// In order of the step, then what only the start of a stage has; what a step does twice is one
   /// entry. A hook counts to its phase.
-  std::vector<PhaseTime> profile() const;
+  [[nodiscard]] std::vector<PhaseTime> profile() const;
 
  private:
   Simulation(const Simulation& other);

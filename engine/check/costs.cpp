@@ -35,32 +35,30 @@ void make_elastic(Scene& scene) {
   }
 }
 
-constexpr std::array variants{
-    Variant{"artificial viscosity",
-            [](const Scene& s) {
-              return s.numerics.viscosity_alpha > 0.0 || s.numerics.viscosity_beta > 0.0;
-            },
-            [](Scene& s) { s.numerics.viscosity_alpha = s.numerics.viscosity_beta = 0.0; }},
-    Variant{"artificial stress", [](const Scene& s) { return s.numerics.artificial_stress > 0.0; },
-            [](Scene& s) { s.numerics.artificial_stress = 0.0; }},
-    Variant{"gradient correction", [](const Scene& s) { return s.numerics.gradient_correction; },
-            [](Scene& s) { s.numerics.gradient_correction = false; }},
-    Variant{"stress diffusion",
-            [](const Scene& s) {
-              return s.numerics.stress_diffusion > 0.0 &&
-                     std::any_of(s.materials.begin(), s.materials.end(), is_plastic);
-            },
-            [](Scene& s) { s.numerics.stress_diffusion = 0.0; }},
-    Variant{"plasticity",
-            [](const Scene& s) {
-              return std::any_of(s.materials.begin(), s.materials.end(), is_plastic);
-            },
-            make_elastic},
-    Variant{"energy balance", [](const Scene& s) { return s.output.energy; },
-            [](Scene& s) { s.output.energy = false; }},
-    Variant{"sums in double precision",
-            [](const Scene& s) { return s.numerics.precision == Precision::real64; },
-            [](Scene& s) { s.numerics.precision = Precision::mixed; }},
+constexpr Variant variants[]{
+    {"artificial viscosity",
+     [](const Scene& s) {
+       return s.numerics.viscosity_alpha > 0.0 || s.numerics.viscosity_beta > 0.0;
+     },
+     [](Scene& s) { s.numerics.viscosity_alpha = s.numerics.viscosity_beta = 0.0; }},
+    {"artificial stress", [](const Scene& s) { return s.numerics.artificial_stress > 0.0; },
+     [](Scene& s) { s.numerics.artificial_stress = 0.0; }},
+    {"gradient correction", [](const Scene& s) { return s.numerics.gradient_correction; },
+     [](Scene& s) { s.numerics.gradient_correction = false; }},
+    {"stress diffusion",
+     [](const Scene& s) {
+       return s.numerics.stress_diffusion > 0.0 &&
+              std::any_of(s.materials.begin(), s.materials.end(), is_plastic);
+     },
+     [](Scene& s) { s.numerics.stress_diffusion = 0.0; }},
+    {"plasticity",
+     [](const Scene& s) { return std::any_of(s.materials.begin(), s.materials.end(), is_plastic); },
+     make_elastic},
+    {"energy balance", [](const Scene& s) { return s.output.energy; },
+     [](Scene& s) { s.output.energy = false; }},
+    {"sums in double precision",
+     [](const Scene& s) { return s.numerics.precision == Precision::real64; },
+     [](Scene& s) { s.numerics.precision = Precision::mixed; }},
 };
 
 /// Seconds per step over at least `enough` seconds.

@@ -13,13 +13,13 @@ namespace scarp {
 
 /// Each stands for a volume spacing^dimension. What may be empty takes the value that is named. SI.
 struct Particles {
-  std::vector<Vec3> position;         ///< [m]
-  std::vector<Vec3> velocity;         ///< [m/s]; empty: at rest
-  std::vector<std::size_t> material;  ///< index into Scene::materials; empty: the first
-  std::vector<std::int64_t> id;       ///< permanent, 0 or more, each once; empty: 0, 1, 2, ...
+  std::vector<Vec3> position{};         ///< [m]
+  std::vector<Vec3> velocity{};         ///< [m/s]; empty: at rest
+  std::vector<std::size_t> material{};  ///< index into Scene::materials; empty: the first
+  std::vector<std::int64_t> id{};       ///< permanent, 0 or more, each once; empty: 0, 1, 2, ...
   /// xx, yy, zz, xy, yz, zx, tension positive [Pa]; empty: what the scene's initial stress says.
-  std::vector<std::array<double, 6>> stress;
-  std::vector<double> density;  ///< [kg/m3]; empty: the reference density of the material
+  std::vector<std::array<double, 6>> stress{};
+  std::vector<double> density{};  ///< [kg/m3]; empty: the reference density of the material
 };
 
 /// The same with everything in place but stress and density. Errors: SceneError if there are no

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/errors.hpp"
 #include "engine/scene/nearest_name.hpp"
@@ -31,7 +32,15 @@ const kernels::ModelInfo& SoilModel::info() const {
 
 double SoilModel::parameter(std::string_view name) const { return parameters_.at(index(name)); }
 
-void SoilModel::set(std::string_view name, double value) { parameters_.at(index(name)) = value; }
+void SoilModel::set(std::string_view name, double value) {
+  double& parameter = parameters_.at(index(name));
+  const double before = std::exchange(parameter, value);
+  // What took its value from this one, and still has it, follows.
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    const char* like = info().parameters[k].like;
+    if (like != nullptr && like == name && parameters_[k] == before) parameters_[k] = value;
+  }
+}
 
 kernels::ElasticModuli SoilModel::moduli() const { return info().moduli(prepare({})); }
 

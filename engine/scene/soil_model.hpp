@@ -38,6 +38,7 @@ class SoilModel {
 
   /// One parameter by its name, SI. Errors: SceneError where the model has none of this name.
   double parameter(std::string_view name) const;
+  /// A parameter that is `like` this one (a residual strength), and equal to it, is set with it.
   void set(std::string_view name, double value);
   bool has(std::string_view name) const { return known() && info_->parameter(name).has_value(); }
   /// The typed model. Errors: SceneError if it is another one.

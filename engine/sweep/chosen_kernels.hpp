@@ -44,7 +44,7 @@ ChosenKernels choose_kernels(const Scene& scene, bool yields, const kernels::Ker
 /// The row of a field that a term names; every one is there.
 Field field_of(const kernels::FieldUse& use);
 /// The fields of every run.
-inline constexpr std::array fields_of_every_run{
+inline constexpr std::array<Field, 6> fields_of_every_run{
     Field::position, Field::velocity,           Field::density,
     Field::stress,   Field::reference_position, Field::build_position};
 /// The fields that these terms write and read beyond those.

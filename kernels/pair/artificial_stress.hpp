@@ -19,7 +19,7 @@ struct ArtificialStress : PairTerm {
   static constexpr TermSet adds_to{Term::momentum};
   static constexpr PairNeeds needs{.stress = true, .tension_factor = true};
   static constexpr SlotSet reads = density_slot;
-  static constexpr std::array reads_fields{FieldUse{"stress", 6}, FieldUse{"density", 1}};
+  static constexpr std::array<FieldUse, 2> reads_fields{{{"stress", 6}, {"density", 1}}};
   static constexpr int second_slots = 6;
   static constexpr SecondRank second_rank = SecondRank::tensor;
   static constexpr bool used(const TermSettings& s) { return s.artificial_stress > 0.0; }

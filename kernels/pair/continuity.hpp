@@ -13,7 +13,7 @@ struct Continuity : PairTerm {
   static constexpr Term term = Term::continuity;
   static constexpr const char* name = "continuity";
   static constexpr SlotSet reads = velocity_slots | density_slot;
-  static constexpr std::array writes{FieldUse{"density_rate", 1}};
+  static constexpr std::array<FieldUse, 1> writes{{{"density_rate", 1}}};
   static constexpr bool used(const TermSettings& s) { return !s.gradient_correction; }
   static constexpr int flops(int) { return 3; }
 

@@ -15,7 +15,7 @@ struct Moment : PairTerm {
   static constexpr const char* text =
       "moment of the corrected gradient; the density rate follows from it and is not summed";
   static constexpr SlotSet reads{};
-  static constexpr std::array writes{FieldUse{"moment", 6}};
+  static constexpr std::array<FieldUse, 1> writes{{{"moment", 6}}};
   static constexpr bool used(const TermSettings& s) { return s.gradient_correction; }
   static constexpr int flops(int d) { return d * (d + 1); }
 

@@ -15,7 +15,7 @@ struct Momentum : PairTerm {
   static constexpr const char* name = "momentum";
   static constexpr PairNeeds needs{.stress = true};
   static constexpr SlotSet reads = density_slot | stress_slots;
-  static constexpr std::array writes{FieldUse{"acceleration", 3}};
+  static constexpr std::array<FieldUse, 1> writes{{{"acceleration", 3}}};
   static constexpr bool used(const TermSettings&) { return true; }
   static constexpr int flops(int d) { return 2 * d * d + d; }
 

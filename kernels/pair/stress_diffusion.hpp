@@ -17,8 +17,8 @@ struct StressDiffusion : PairTerm {
   static constexpr PairNeeds needs{.stress = true, .regularised = true};
   static constexpr bool across_walls = false;
   static constexpr SlotSet reads = stress_slots | diffusivity_slot;
-  static constexpr std::array writes{FieldUse{"diffusion_rate", 6}, FieldUse{"diffusion_slope", 1}};
-  static constexpr std::array reads_fields{FieldUse{"diffusivity", 1}};
+  static constexpr std::array<FieldUse, 2> writes{{{"diffusion_rate", 6}, {"diffusion_slope", 1}}};
+  static constexpr std::array<FieldUse, 1> reads_fields{{{"diffusivity", 1}}};
   /// Elastic bodies do not flow, and in them it feeds noise (`disc_rotation`).
   static constexpr bool used(const TermSettings& s) { return s.stress_diffusion > 0.0 && s.yields; }
   static constexpr int flops(int d) { return 7 + 2 * (d == 2 ? 4 : 6) + 2 * d; }

@@ -13,7 +13,7 @@ struct VelocityGradient : PairTerm {
   static constexpr Term term = Term::velocity_gradient;
   static constexpr const char* name = "velocity gradient";
   static constexpr SlotSet reads = velocity_slots;
-  static constexpr std::array writes{FieldUse{"velocity_gradient", 9}};
+  static constexpr std::array<FieldUse, 1> writes{{{"velocity_gradient", 9}}};
   static constexpr bool used(const TermSettings&) { return true; }
   static constexpr int flops(int d) { return 2 * d * d; }
 

@@ -17,7 +17,7 @@ struct Viscosity : PairTerm {
   static constexpr TermSet adds_to{Term::momentum};
   static constexpr PairNeeds needs{.regularised = true, .densities = true};
   static constexpr SlotSet reads = velocity_slots | density_slot | sound_speed_slot;
-  static constexpr std::array writes{FieldUse{"approach_rate", 1}};
+  static constexpr std::array<FieldUse, 1> writes{{{"approach_rate", 1}}};
   static constexpr bool used(const TermSettings& s) {
     return s.viscosity_alpha > 0.0 || s.viscosity_beta > 0.0;
   }

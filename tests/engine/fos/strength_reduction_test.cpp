@@ -19,7 +19,7 @@ Scene coarse_slope() {
   Scene scene = test::small_slope("modern", 4.0, 4.0, 1.4);
   Stage& settle = scene.stages.front();
   settle.until = StageEnd::rest;
-  settle.damping = -1.0;
+  settle.damping.reset();
   return scene;
 }
 

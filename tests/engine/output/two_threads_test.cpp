@@ -20,7 +20,7 @@ class TwoThreadsTest : public OutputTest {
  protected:
   /// Frames at each step, and each step's state written and read again.
   static void run_and_keep(const std::filesystem::path& folder) {
-    Simulation simulation(read_scene_text(block_text, "block.toml", {"", 0.0}), {1, {}});
+    Simulation simulation(read_scene_text(block_text, "block.toml", {}), {.threads = 1});
     RunWriter writer(simulation, folder);
     for (int k = 0; k < 20 && !simulation.finished(); ++k) {
       simulation.step();

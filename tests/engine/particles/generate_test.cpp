@@ -323,9 +323,9 @@ TEST(EstimateParticlesTest, IsExactWhereColumnsAreFewAndNearWhereTheyAreMany) {
   for (const std::size_t material : soil.material) ++counted[material];
   EXPECT_EQ(estimate_particles(scene), counted);
   // 400,000 columns, and then more than any machine holds: half of width times height over dx^2.
-  scene.bodies = {{.shape = Polygon{{{0, 0}, {32, 0}, {1e5, 10}, {0, 10}}}}};
+  scene.bodies = {{.shape = Polygon{{{0, 0}, {32, 0}, {1e5, 10}, {0, 10}}}, .material = "clay"}};
   EXPECT_NEAR(estimate_particles(scene)[0], 0.5 * (1e5 + 32) * 10 / 0.0625, 1e4);
-  scene.bodies = {{.shape = Box{{0, 0, 0}, {1e9, 1e9, 0}}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1e9, 1e9, 0}}, .material = "clay"}};
   EXPECT_NEAR(estimate_particles(scene)[0], 1.6e19, 1e15);
 }
 

@@ -75,9 +75,9 @@ inline constexpr BadScene bad_scenes[] = {
     {in_2d, "\"drucker_prager\"", "\"mohr_colomb\"", 9, "Did you mean 'mohr_coulomb'?"},
     {in_2d, "\"drucker_prager\"", "\"cam_clay\"", 9, "only drucker_prager, mohr_coulomb and"},
     {in_2d, "cone =", "tensile_strength = 0\ncone =", 16, "Try model = \"mohr_coulomb\""},
-    {in_2d, "cone =", "residual_cohesion = 0\ncone =", 16, "key 'material[0].softening_slip' = 0"},
+    {in_2d, "cone =", "residual_cohesion = 0\ncone =", 7, "key 'material[0].softening_slip' = 0"},
     {in_2d, "cone =", "residual_cohesion = \"11 kPa\"\ncone =", 16,
-     "key 'material[0].residual_cohesion' = 11000: it is above the cohesion"},
+     "key 'material[0].residual_cohesion' = '11 kPa': it is above the cohesion"},
     {in_2d, "polygon =", "friction_angle = 3\npolygon =", 20,
      "properties belong to a [[material]]"},
     // unit weights

@@ -56,7 +56,7 @@ TEST(SceneErrorsTest, WhatCannotFitIntoMemoryIsRefusedWithTheNumbersBeforeItIsTa
       {slope_text, "\"0.25 m\"", "1e-9", "bad.toml:18: key 'body[0]' = "},
       {slope_text, "[45, 0]]", "[1e9, 0]]", "bad.toml:22: key 'wall[0]' = 'base': "},
       {everything_text, "spacing = 0.1", "spacing = 1e-4",
-       "bad.toml:41: key 'body[0]' = polygon from "},
+       "bad.toml:39: key 'body[0]' = polygon from "},
   };
   const double before = peak_memory();
   for (const auto& row : rows) {

@@ -1,5 +1,6 @@
 # Installs scarp into a fresh folder, then uses that folder alone, as an outside project would.
 # cmake -D SCARP_BUILD=... -D WORK=... -D COMPILER=... [-D GENERATOR=...] -P run_embed.cmake
+cmake_minimum_required(VERSION 3.25)
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(result)

@@ -53,7 +53,8 @@ template <class Real, int Dim>
 constexpr auto special = compiled<Real, Dim, plain | viscous, plain | tensile, diffused | viscous,
                                   corrected, diffused, viscous>;
 template <int Dim>
-constexpr auto special<float, Dim> = compiled<float, Dim, plain | tensile, diffused, viscous>;
+constexpr auto special<float, Dim> =
+    compiled<float, Dim, plain | viscous, plain | tensile, diffused, viscous>;
 #endif
 template <class Real, int Dim>
 constexpr auto general = compiled<Real, Dim, any_gradient, tensile>;

@@ -66,17 +66,17 @@ int geometry_flops(const kernels::PairNeeds& needs) {
   const int bits = needs.tension_factor + 2 * needs.densities + 4 * needs.regularised;
   switch (bits) {
     case 0:
-      return geometry_flops<Dim, {false, false, false, false}>();
+      return geometry_flops<Dim, kernels::PairNeeds{false, false, false, false}>();
     case 1:
-      return geometry_flops<Dim, {false, false, false, true}>();
+      return geometry_flops<Dim, kernels::PairNeeds{false, false, false, true}>();
     case 4:
-      return geometry_flops<Dim, {false, true, false, false}>();
+      return geometry_flops<Dim, kernels::PairNeeds{false, true, false, false}>();
     case 5:
-      return geometry_flops<Dim, {false, true, false, true}>();
+      return geometry_flops<Dim, kernels::PairNeeds{false, true, false, true}>();
     case 6:
-      return geometry_flops<Dim, {false, true, true, false}>();
+      return geometry_flops<Dim, kernels::PairNeeds{false, true, true, false}>();
     default:
-      return geometry_flops<Dim, {false, true, true, true}>();
+      return geometry_flops<Dim, kernels::PairNeeds{false, true, true, true}>();
   }
 }
 

@@ -41,7 +41,7 @@ template <class T>
 constexpr NumericsRow::Kind kind_of() {
   if (std::is_same_v<T, bool>) return NumericsRow::Kind::truth;
   if (std::is_same_v<T, int>) return NumericsRow::Kind::integer;
-  return std::is_enum_v<T> ? NumericsRow::Kind::choice : NumericsRow::Kind::number;
+  return std::is_enum<T>::value ? NumericsRow::Kind::choice : NumericsRow::Kind::number;
 }
 
 template <class T>

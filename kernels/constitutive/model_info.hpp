@@ -95,11 +95,12 @@ inline constexpr ModelInfo info_of(const ModelPasses* passes = nullptr) {
   return info;
 }
 
+template <class... Model>
+constexpr std::array<ModelInfo, sizeof...(Model)> infos_of(ModelList<Model...>) {
+  return {info_of<Model>()...};
+}
 /// The models of the list, in its order.
-inline constexpr std::array<ModelInfo, Models::size> models =
-    []<class... Model>(ModelList<Model...>) {
-      return std::array<ModelInfo, Models::size>{info_of<Model>()...};
-    }(Models{});
+inline constexpr std::array<ModelInfo, Models::size> models = infos_of(Models{});
 
 /// The model of the list with this name, or null.
 constexpr const ModelInfo* model_named(std::string_view name) {

@@ -63,12 +63,13 @@ template <class Real>
 constexpr auto sweeps = joined(special<Real, 2>, general<Real, 2>, special<Real, 3>,
                                general<Real, 3>);
 
-constexpr std::array<ModelPasses, Models::size> passes = []<class... Model>(ModelList<Model...>) {
+template <class... Model>
+constexpr std::array<ModelPasses, sizeof...(Model)> passes_of(ModelList<Model...>) {
   using T = Batch<double, Arch>;
-  return std::array<ModelPasses, Models::size>{
-      ModelPasses{{&advance_stress<T, 2, Model>, &advance_stress<T, 3, Model>},
-                  {&advance_verlet<T, 2, Model>, &advance_verlet<T, 3, Model>}}...};
-}(Models{});
+  return {ModelPasses{{&advance_stress<T, 2, Model>, &advance_stress<T, 3, Model>},
+                      {&advance_verlet<T, 2, Model>, &advance_verlet<T, 3, Model>}}...};
+}
+constexpr std::array<ModelPasses, Models::size> passes = passes_of(Models{});
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Pair term of the stress diffusion that quiets noise in flowing soil.
+/// Pair term of the stress diffusion, which damps noise of the stress in flowing soil.
 #pragma once
 
 #include "kernels/pair/pair_geometry.hpp"
@@ -13,13 +13,13 @@ namespace scarp::kernels {
 struct StressDiffusion : PairTerm {
   static constexpr Term term = Term::diffusion;
   static constexpr const char* name = "stress diffusion";
-  static constexpr const char* text = "quiets the stress of soil that flows";
+  static constexpr const char* text = "damps noise of the stress in soil that flows";
   static constexpr PairNeeds needs{.stress = true, .regularised = true};
   static constexpr bool across_walls = false;
   static constexpr SlotSet reads = stress_slots | diffusivity_slot;
   static constexpr std::array<FieldUse, 2> writes{{{"diffusion_rate", 6}, {"diffusion_slope", 1}}};
   static constexpr std::array<FieldUse, 1> reads_fields{{{"diffusivity", 1}}};
-  /// Elastic bodies do not flow, and in them it feeds noise (`disc_rotation`).
+  /// Elastic bodies do not flow, and in them it amplifies noise (`disc_rotation`).
   static constexpr bool used(const TermSettings& s) { return s.stress_diffusion > 0.0 && s.yields; }
   static constexpr int flops(int d) { return 7 + 2 * (d == 2 ? 4 : 6) + 2 * d; }
 

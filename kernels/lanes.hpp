@@ -29,7 +29,7 @@ struct Lanes {
   Native value;
 
   Lanes() = default;
-  SCARP_INLINE Lanes(Native v) : value(v) {}
+  SCARP_INLINE Lanes(const Native& v) : value(v) {}
   SCARP_INLINE Lanes(double x) : value{x, x, x, x, x, x, x, x} {}
   static SCARP_INLINE Lanes load_aligned(const double* from) {
     return *reinterpret_cast<const Aliasing*>(from);

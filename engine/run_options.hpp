@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/step/reduction.hpp"
@@ -12,9 +13,9 @@ namespace scarp {
 
 /// How a run is carried out; nothing here changes the physics.
 struct RunOptions {
-  /// 0: as many as pay at the moment, at most what OpenMP would take (see `Team`); else exactly
-  /// that many. Errors: SceneError if there are fewer cores.
-  int threads = 0;
+  /// Exactly that many; empty: as many as pay at the moment, at most what OpenMP would take (see
+  /// `Team`). Errors: SceneError if there are fewer cores, and below 1.
+  std::optional<int> threads{};
   std::string isa{};  ///< "avx512", "avx2", "sse2"; empty: SCARP_ISA, else the best the machine has
   bool oversubscribe = false;  ///< allows up to 16 threads on fewer cores: slow, for tests
   /// Whether to stop: looked at before each step and within the set-up, by copies of a simulation

@@ -224,11 +224,12 @@ namespace {
 /// Tests ask for more threads than there are cores, to see that results do not depend on them.
 Team make_team(const RunOptions& options) {
   constexpr int most_oversubscribed = 16;
-  const bool checked =
-      !options.oversubscribe || options.threads < 0 || options.threads > most_oversubscribed;
-  const std::string complaint = checked ? complaint_about_threads(options.threads) : "";
+  if (!options.threads) return {default_threads(), false};
+  const int wanted = *options.threads;
+  const bool checked = !options.oversubscribe || wanted < 1 || wanted > most_oversubscribed;
+  const std::string complaint = checked ? complaint_about_threads(wanted) : "";
   if (!complaint.empty()) throw SceneError(complaint);
-  return options.threads > 0 ? Team(options.threads, true) : Team(default_threads(), false);
+  return {wanted, true};
 }
 
 }  // namespace

@@ -27,14 +27,17 @@ constexpr double margin = 0.97;
 
 std::string complaint_about_threads(int wanted) {
   const int cores = usable_cores();
-  if (wanted >= 0 && wanted <= cores) return {};
-  if (wanted < 0)
+  if (wanted >= 1 && wanted <= cores) return {};
+  if (wanted < 1)
     return fmt::format(
-        "{} threads: there cannot be fewer than 1. Try 1, or 0 for as many as make the run faster.",
+        "{} threads: there cannot be fewer than 1. Try 1, or leave it out for as many as make the "
+        "run "
+        "faster.",
         wanted);
   return fmt::format(
       "{} threads are more than the {} {} this process may use (affinity and control group "
-      "counted), and would wait for each other. Try {} or fewer, or 0 for as many as make it "
+      "counted), and would wait for each other. Try {} or fewer, or leave it out for as many as "
+      "make it "
       "faster; results do not depend on it.",
       wanted, cores, cores == 1 ? "core" : "cores", cores);
 }

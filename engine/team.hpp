@@ -7,8 +7,7 @@
 
 namespace scarp {
 
-/// What is wrong with this many threads and what to try; empty if nothing is. 0 stands for what
-/// the machine offers.
+/// What is wrong with this many threads and what to try; empty if nothing is.
 std::string complaint_about_threads(int wanted);
 
 /// What to say if OMP_NUM_THREADS asks for more than is used; empty if it does not.

@@ -8,6 +8,7 @@
 #include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "engine/cli/ending.hpp"
@@ -161,10 +162,10 @@ int report_command(const std::string& folder) {
   return ok;
 }
 
-void add_threads(CLI::App& command, int& threads) {
+void add_threads(CLI::App& command, std::optional<int>& threads) {
   command
       .add_option("--threads", threads,
-                  "Use exactly this many threads; 0, the default, uses as many as make it faster")
+                  "Use exactly this many threads; default: as many as make it faster")
       ->check([](const std::string& text) {
         int wanted = 0;
         return CLI::detail::lexical_cast(text, wanted) ? complaint_about_threads(wanted)

@@ -15,7 +15,7 @@
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/plain_text.hpp"
-#include "engine/scene/nearest_name.hpp"
+#include "engine/scene/scene_problem.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -23,19 +23,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 6> components{"xx", "yy", "zz", "xy", "yz", "zx"};
 
-/// The one named, or the only one. Errors: UsageError.
-std::size_t material_of(const Scene& scene, const std::string& name) {
-  std::vector<std::string> names;
-  for (const Material& material : scene.materials) names.push_back(material.name);
-  if (name.empty() && names.size() == 1) return 0;
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  if (name.empty()) {
-    throw UsageError(fmt::format("--material: the scene has {} of them; name one: {}", names.size(),
-                                 fmt::join(names, ", ")));
+/// The option, if it names a material or the scene has only one. Errors: UsageError.
+std::string known_material(const Scene& scene, const std::string& name) {
+  try {
+    static_cast<void>(material_named(scene, name));
+  } catch (const SceneProblem& problem) {
+    throw UsageError(fmt::format("--material {}: {}", problem.value(), problem.why()));
   }
-  throw UsageError(
-      fmt::format("--material: '{}' is not in the scene. {}", name, did_you_mean(name, names)));
+  return name;
+}
+
+const Material& tested(const Scene& scene, const ElementTest& test) {
+  return scene.materials[material_named(scene, test.material)];
 }
 
 /// In the plane, the components that cannot differ from 0 are left out.
@@ -90,7 +89,7 @@ Json json_of(const ElementSample& sample, const ElementResult& result) {
 /// "at the end the deviator is ...", of the same test with one parameter changed.
 std::string changed_end(Scene scene, const ElementTest& test, const RunOptions& options,
                         std::string_view parameter, double value) {
-  scene.materials[test.material].model.set(parameter, value);
+  scene.materials[material_named(scene, test.material)].model.set(parameter, value);
   const ElementSample end = run_element(scene, test, options).samples.back();
   return fmt::format("q = {:.4g} kPa and a volumetric strain of {:.3g}", 1e-3 * deviator(end),
                      end.volumetric_strain);
@@ -100,7 +99,7 @@ std::string changed_end(Scene scene, const ElementTest& test, const RunOptions& 
 std::vector<std::string> notes(const Scene& scene, const ElementTest& test,
                                const RunOptions& options) {
   std::vector<std::string> found;
-  const SoilModel& model = scene.materials[test.material].model;
+  const SoilModel& model = tested(scene, test).model;
   const auto strength = model.strength();
   if (!strength || strength->friction_angle == 0.0 || test.path == ElementPath::isotropic)
     return found;
@@ -130,7 +129,7 @@ std::vector<std::string> notes(const Scene& scene, const ElementTest& test,
 
 Json summary(const Scene& scene, const ElementTest& test, const ElementResult& result,
              const std::string& table, const std::vector<std::string>& notes) {
-  const Material& material = scene.materials[test.material];
+  const Material& material = tested(scene, test);
   Json json{{"format", "scarp element"},
             {"version", 1},
             {"scene", scene.file},
@@ -151,7 +150,7 @@ Json summary(const Scene& scene, const ElementTest& test, const ElementResult& r
             {"deviator", deviator(result.samples.back())},
             {"notes", notes}};
   if (result.plastic) {
-    for (const auto& shown : scene.materials[test.material].model.info().shown)
+    for (const auto& shown : material.model.info().shown)
       json[shown.name] = result.constants.at(shown.name);
     json["first_yield"] =
         result.first_yield > 0 ? json_of(result.samples[result.first_yield], result) : Json();
@@ -167,7 +166,7 @@ void print(const Scene& scene, const ElementTest& test, const ElementResult& res
     fmt::print("{:<18}{}\n", name, value);
   };
   const auto kilopascal = [](double pascal) { return fmt::format("{:.6g} kPa", 1e-3 * pascal); };
-  line("material", scene.materials[test.material].name);
+  line("material", tested(scene, test).name);
   line("path", fmt::format("{}, from {} isotropic, strain {:g} in {} steps",
                            element_path_names[static_cast<std::size_t>(test.path)],
                            kilopascal(test.confining_pressure), test.strain, test.steps));
@@ -208,7 +207,7 @@ int element_command(const ElementArguments& arguments) {
   test.steps = arguments.steps;
   const Scene scene = load_scene(arguments.scene);
   require_target("--out", arguments.table, arguments.scene.file);
-  test.material = material_of(scene, arguments.material);
+  test.material = known_material(scene, arguments.material);
   const ElementResult result = run_element(scene, test, arguments.scene.options);
 
   std::filesystem::path table = arguments.table;

@@ -19,19 +19,19 @@ using Json = nlohmann::ordered_json;
 
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-std::string judged_point(const Criterion& criterion, const Scene& scene) {
-  return criterion.probe ? fmt::format("probe '{}'", scene.probes[*criterion.probe].name)
-                         : std::string("the soil that moves most");
+std::string judged_point(const Criterion& criterion) {
+  return criterion.probe.empty() ? std::string("the soil that moves most")
+                                 : fmt::format("probe '{}'", criterion.probe);
 }
 
-std::string criterion_sentence(const Criterion& criterion, const Scene& scene) {
+std::string criterion_sentence(const Criterion& criterion) {
   const std::string how = criterion.ramp > 0.0
                               ? fmt::format("The strength is cut over {:.3g} s.", criterion.ramp)
                               : std::string("The strength is cut at once.");
   return fmt::format(
       "{} Failed means: until {:.3g} s after that {} has moved more than {:.3g} m, 1 % of the "
       "slope's height of {:.4g} m, beyond its elastic response of {:.2g} m.",
-      how, criterion.window, judged_point(criterion, scene), criterion.limit, criterion.height,
+      how, criterion.window, judged_point(criterion), criterion.limit, criterion.height,
       criterion.elastic);
 }
 
@@ -149,7 +149,7 @@ std::string fos_text(const FosReport& report, const Simulation& settled) {
                         trial.fails ? "fails" : "stands", trial.displacement, trial.speed,
                         trial.time, trial.wall_s, word(trial.end));
   }
-  text += criterion_sentence(report.criterion, scene) + "\n";
+  text += criterion_sentence(report.criterion) + "\n";
   text += resolution_sentence(report.criterion, scene) + "\n";
   for (const std::string& note : notes(report, settled)) text += "note: " + note + "\n";
   text += fmt::format("{} particles, {}\n", settled.soil_count(),
@@ -183,8 +183,8 @@ std::string fos_json(const FosReport& report, const Simulation& settled) {
               {"elastic", criterion.elastic},
               {"ramp", criterion.ramp},
               {"window", criterion.window},
-              {"probe", criterion.probe ? Json(scene.probes[*criterion.probe].name) : Json()},
-              {"sentence", criterion_sentence(criterion, scene)}}},
+              {"probe", criterion.probe.empty() ? Json() : Json(criterion.probe)},
+              {"sentence", criterion_sentence(criterion)}}},
             {"resolution", resolution_sentence(criterion, scene)},
             {"settle",
              {{"time", report.settle_time},

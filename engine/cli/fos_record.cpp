@@ -68,7 +68,7 @@ std::string search_key(const Simulation& simulation, const Criterion& c) {
       "program = {}\nisa = {}\n{}{}criterion.height = {}\ncriterion.limit = {}\ncriterion.ramp = {}"
       "\ncriterion.window = {}\ncriterion.span = {}\ncriterion.probe = {}\n",
       program_version(), simulation.isa(), scene_text(scene), output_text(scene), c.height, c.limit,
-      c.ramp, c.window, c.span, c.probe ? scene.probes[*c.probe].name : "");
+      c.ramp, c.window, c.span, c.probe);
 }
 
 SearchRecord begin_search(const fs::path& folder, const Scene& scene, const std::string& key) {

@@ -29,7 +29,7 @@ void add_isa_option(CLI::App& command, scarp::RunOptions& options) {
 void add_threads_option(CLI::App& command, scarp::RunOptions& options) {
   command
       .add_option("--threads", options.threads,
-                  "Use exactly this many threads; 0, the default, uses as many as make it faster")
+                  "Use exactly this many threads; default: as many as make it faster")
       ->check([](const std::string& text) {
         int threads = 0;
         return CLI::detail::lexical_cast(text, threads) ? scarp::complaint_about_threads(threads)

@@ -136,12 +136,12 @@ void say_where(const Resumed& resumed, const fs::path& folder, bool over) {
 }
 
 /// As many as it was begun with, or what there is here: results do not depend on it.
-int threads_of(const RunRecord& record) {
-  if (complaint_about_threads(record.threads).empty()) return record.threads;
+std::optional<int> threads_of(const RunRecord& record) {
+  if (!record.threads || complaint_about_threads(*record.threads).empty()) return record.threads;
   const int here = default_threads();
   fmt::print(stderr,
              "warning: begun with {} threads; there are {} here, which changes no result.\n",
-             record.threads, here);
+             *record.threads, here);
   return here;
 }
 
@@ -173,7 +173,7 @@ int resume_command(const ResumeArguments& arguments) {
   warn_of_another_program(record);
   run.options = arguments.options;
   if (run.options.isa.empty()) run.options.isa = record.isa;
-  if (run.options.threads == 0) run.options.threads = threads_of(record);
+  if (!run.options.threads) run.options.threads = threads_of(record);
   if (arguments.accept_tables) run.tables = OldTables::as_they_are;
   std::optional<Resumed> resumed = go_on(run);
   const bool over = !resumed;

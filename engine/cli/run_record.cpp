@@ -42,7 +42,7 @@ void write_record(const std::filesystem::path& folder, const RunRecord& record) 
                                 {"preset", record.overrides.preset},
                                 {"spacing", record.overrides.spacing.value_or(0.0)},
                                 {"isa", record.isa},
-                                {"threads", record.threads},
+                                {"threads", record.threads ? Json(*record.threads) : Json()},
                                 {"text", record.scene_text}}
                                .dump(2, ' ', false, Json::error_handler_t::replace) +
                            "\n";
@@ -58,8 +58,11 @@ RunRecord read_record(const std::filesystem::path& folder) {
                                   path.string()));
     SceneOverrides overrides{json.at("preset"), {}};
     if (const double spacing = json.at("spacing"); spacing != 0.0) overrides.spacing = spacing;
-    return {json.at("program"), json.at("scene"), json.at("text"),
-            overrides,          json.at("isa"),   json.at("threads")};
+    RunRecord record{json.at("program"), json.at("scene"), json.at("text"),
+                     overrides,          json.at("isa"),   {}};
+    if (const Json& threads = json.at("threads"); !threads.is_null())
+      record.threads = threads.get<int>();
+    return record;
   } catch (const nlohmann::json::exception&) {
     throw FileError(fmt::format(
         "'{}': there is no run to go on with: run.json {}. Try the output folder of 'scarp run'.",

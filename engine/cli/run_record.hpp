@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "engine/scene/scene_reader.hpp"
@@ -14,8 +15,8 @@ struct RunRecord {
   std::string scene_name;  ///< file it was read from
   std::string scene_text;
   SceneOverrides overrides;
-  std::string isa;  ///< in use
-  int threads = 0;  ///< asked for
+  std::string isa;             ///< in use
+  std::optional<int> threads;  ///< asked for; empty: as many as make it faster
 };
 
 /// Leaves the folder as that of a run which has not come to its first checkpoint: removes

@@ -28,7 +28,7 @@ inline constexpr std::array<std::string_view, 4> element_path_names{"triaxial", 
 
 struct ElementTest {
   ElementPath path = ElementPath::triaxial;
-  std::size_t material = 0;           ///< index into the scene's materials
+  std::string material{};             ///< its name; empty: the scene's only one
   double confining_pressure = 100e3;  ///< at the start, and of the stress held [Pa]
   /// At the end: axial (triaxial, plane_strain) or volumetric (isotropic), positive in
   /// compression; simple_shear: the engineering shear strain gamma. Logarithmic [-].

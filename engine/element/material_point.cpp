@@ -20,25 +20,20 @@ kernels::SymTensor<double> tensor_of(const std::array<double, 6>& s) {
   return {s[0], s[1], s[2], s[3], s[4], s[5]};
 }
 
-const Material& checked_material(const Scene& scene, std::size_t material, int dimension) {
-  if (material >= scene.materials.size()) {
-    throw SceneError(fmt::format("material {}: the scene has {}. Try an index below that.",
-                                 material, scene.materials.size()));
-  }
-  if (dimension != 2 && dimension != 3)
-    throw SceneError(fmt::format("a material point in {} dimensions: try 2 or 3.", dimension));
-  return scene.materials[material];
+const Material& named(const Scene& scene, std::string_view material) {
+  return scene.materials[material_named(scene, material)];
 }
 
 }  // namespace
 
-MaterialPoint::MaterialPoint(const Scene& scene, std::size_t material, int dimension,
+MaterialPoint::MaterialPoint(const Scene& scene, std::string_view material, int dimension,
                              const RunOptions& options, double strength_reduction)
-    : constants_(stress_pass_constants(scene, checked_material(scene, material, dimension),
-                                       strength_reduction)),
+    : constants_(stress_pass_constants(scene, named(scene, material), strength_reduction)),
       table_(&choose_table(options)),
-      model_(scene.materials[material].model),
+      model_(named(scene, material).model),
       dimension_(dimension) {
+  if (dimension != 2 && dimension != 3)
+    throw SceneError(fmt::format("a material point in {} dimensions: try 2 or 3.", dimension));
   constants_.leap = 1.0;
   constants_.plastic_share = 1.0;
   constants_.diffusion_cap = 0.0;

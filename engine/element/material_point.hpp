@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "engine/simulation.hpp"
 #include "kernels/isa/kernel_table.hpp"
@@ -27,8 +28,9 @@ using GradientIncrement = std::array<double, 9>;
 /// needs neighbours. Owns no state.
 class MaterialPoint {
  public:
-  /// `dimension` 2 takes the pass of plane strain. Errors: SceneError.
-  MaterialPoint(const Scene& scene, std::size_t material, int dimension,
+  /// Of the material with this name, of the only one without; `dimension` 2 takes the pass of plane
+  /// strain. Errors: SceneError.
+  MaterialPoint(const Scene& scene, std::string_view material, int dimension,
                 const RunOptions& options = {}, double strength_reduction = 1.0);
 
   /// At rest under this stress, without strain.

@@ -94,14 +94,13 @@ Criterion choose_criterion(const Scene& scene, const CriterionOptions& options) 
   if (!options.probe.empty()) {
     std::vector<std::string> names;
     for (const Probe& probe : scene.probes) names.push_back(probe.name);
-    const auto found = std::find(names.begin(), names.end(), options.probe);
-    if (found == names.end()) {
+    if (std::find(names.begin(), names.end(), options.probe) == names.end()) {
       refuse(scene, fmt::format("no probe is called '{}'. {}", options.probe,
                                 did_you_mean(options.probe, names)));
     }
-    criterion.probe = static_cast<std::size_t>(found - names.begin());
+    criterion.probe = options.probe;
   } else if (!scene.probes.empty()) {
-    criterion.probe = 0;
+    criterion.probe = scene.probes.front().name;
   }
   return criterion;
 }

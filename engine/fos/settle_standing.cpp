@@ -42,21 +42,21 @@ class Yielding {
     });
     limit_ = still ? criterion.limit + 0.5 * softness * (high - low) * (high - low)
                    : std::numeric_limits<double>::infinity();
-    if (probe_) probe_start_ = start.probe(*probe_).position;
+    if (!probe_.empty()) probe_start_ = start.probe(probe_).position;
   }
   /// What elastic settlement explains and the criterion allows beyond it [m]; infinite where walls
   /// move or go, which soil follows.
   double limit() const { return limit_; }
   double moved(const Simulation& now) const {
-    if (probe_) {
-      const Vec3 at = now.probe(*probe_).position;
+    if (!probe_.empty()) {
+      const Vec3 at = now.probe(probe_).position;
       return size_of({at[0] - probe_start_[0], at[1] - probe_start_[1], at[2] - probe_start_[2]});
     }
     return farthest(position_, now);
   }
 
  private:
-  std::optional<std::size_t> probe_;
+  std::string probe_;
   std::vector<double> position_;
   Vec3 probe_start_{};
   double limit_ = 0.0;

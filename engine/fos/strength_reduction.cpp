@@ -84,14 +84,14 @@ double StrengthReduction::largest_displacement(const Simulation& simulation,
 }
 
 double StrengthReduction::displacement(const Simulation& simulation) const {
-  if (!criterion_.probe) return largest_displacement(simulation);
-  const Vec3 now = simulation.probe(*criterion_.probe).position;
-  const Vec3 before = settled_.probe(*criterion_.probe).position;
+  if (criterion_.probe.empty()) return largest_displacement(simulation);
+  const Vec3 now = simulation.probe(criterion_.probe).position;
+  const Vec3 before = settled_.probe(criterion_.probe).position;
   return size_of({now[0] - before[0], now[1] - before[1], now[2] - before[2]});
 }
 
 double StrengthReduction::speed(const Simulation& simulation) const {
-  if (criterion_.probe) return size_of(simulation.probe(*criterion_.probe).velocity);
+  if (!criterion_.probe.empty()) return size_of(simulation.probe(criterion_.probe).velocity);
   std::size_t i = 0;
   largest_displacement(simulation, &i);
   const std::vector<double> velocity = simulation.field("velocity");
@@ -156,7 +156,7 @@ std::optional<Trial> StrengthReduction::run(Simulation simulation, double reduct
     const double time = now.last_step().time - start_time;
     trial.steps = now.last_step().step - first_step;
     const bool sampled = trial.steps % sample_steps == 0 || now.finished();
-    if (sampled || criterion_.probe) {
+    if (sampled || !criterion_.probe.empty()) {
       trial.displacement = std::max(trial.displacement, displacement(now));
     }
     if (sampled) rate.sample(time, largest_displacement(now));

@@ -26,13 +26,13 @@ struct CriterionOptions {
 /// When a slope counts as failed: until `window` after the reduction the displacement exceeds
 /// `elastic` + `limit`.
 struct Criterion {
-  double height = 0.0;                 ///< of the slope [m]
-  double limit = 0.0;                  ///< 1 % of the height [m]
-  double ramp = 0.0;                   ///< time that the cut takes [s]
-  double window = 0.0;                 ///< after it [s]
-  double span = 0.0;                   ///< over which a rate is measured [s]
-  double elastic = 0.0;                ///< displacement with nothing reduced [m]
-  std::optional<std::size_t> probe{};  ///< index; empty: the largest displacement of the soil
+  double height = 0.0;   ///< of the slope [m]
+  double limit = 0.0;    ///< 1 % of the height [m]
+  double ramp = 0.0;     ///< time that the cut takes [s]
+  double window = 0.0;   ///< after it [s]
+  double span = 0.0;     ///< over which a rate is measured [s]
+  double elastic = 0.0;  ///< displacement with nothing reduced [m]
+  std::string probe{};   ///< its name; empty: the largest displacement of the soil
   bool early_stop = true;
 };
 

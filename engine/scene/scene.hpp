@@ -210,6 +210,10 @@ std::string message_start(const Scene& scene, const Probe& probe);
 /// name that no material has.
 std::size_t material_of(const Scene& scene, const Body& body);
 
+/// Index into `materials` of the one with this name; of the only one for an empty name. Errors:
+/// SceneError for a name that no material has, and for none where there are several.
+std::size_t material_named(const Scene& scene, std::string_view name);
+
 /// Whether a body is made of the material with this index.
 bool is_used(const Scene& scene, std::size_t material);
 

@@ -146,18 +146,31 @@ std::string message_start(const Scene& scene, const Probe& probe) {
   return start_of(scene, scene.probes, probe, "probe");
 }
 
-std::size_t material_of(const Scene& scene, const Body& body) {
-  if (body.material.empty() && scene.materials.size() == 1) return 0;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    if (scene.materials[m].name == body.material) return m;
-  }
+namespace {
+
+/// `asking` is the key of the name.
+std::size_t find_material(const Scene& scene, std::string_view name, const std::string& asking) {
+  if (name.empty() && scene.materials.size() == 1) return 0;
   std::vector<std::string> names;
-  for (const Material& material : scene.materials) names.push_back(material.name);
-  throw SceneProblem(
-      fmt::format("body[{}].material", &body - scene.bodies.data()), '"' + body.material + '"',
-      body.material.empty() ? fmt::format("the scene has {} materials. Try the name of one: {}.",
-                                          names.size(), fmt::join(names, ", "))
-                            : "no material has this name. " + did_you_mean(body.material, names));
+  for (const Material& material : scene.materials) {
+    if (material.name == name) return names.size();
+    names.push_back(material.name);
+  }
+  throw SceneProblem(asking, fmt::format("\"{}\"", name),
+                     name.empty()
+                         ? fmt::format("the scene has {} materials. Try the name of one: {}.",
+                                       names.size(), fmt::join(names, ", "))
+                         : "no material has this name. " + did_you_mean(name, names));
+}
+
+}  // namespace
+
+std::size_t material_of(const Scene& scene, const Body& body) {
+  return find_material(scene, body.material,
+                       fmt::format("body[{}].material", &body - scene.bodies.data()));
+}
+std::size_t material_named(const Scene& scene, std::string_view name) {
+  return find_material(scene, name, "material");
 }
 
 bool is_used(const Scene& scene, std::size_t material) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "engine/errors.hpp"
 #include "engine/machine.hpp"
@@ -113,17 +114,18 @@ TEST(TeamTest, KeepsANumberThatWasAskedFor) {
 
 TEST(ThreadsOfARunTest, AreBoundedByTheCores) {
   const int cores = usable_cores();
-  const auto start = [](int threads, bool oversubscribe) {
+  const auto start = [](std::optional<int> threads, bool oversubscribe) {
     return Simulation(test::elastic_column("modern", 1.0, 0.25), {threads, {}, oversubscribe});
   };
-  EXPECT_EQ(start(0, false).threads(), default_threads());
+  EXPECT_EQ(start({}, false).threads(), default_threads());
   EXPECT_EQ(start(cores, false).threads(), cores);
-  for (const int threads : {-1, cores + 1, 1000, 100000, 2147483647}) {
+  for (const int threads : {-1, 0, cores + 1, 1000, 100000, 2147483647}) {
     EXPECT_THROW(start(threads, false), SceneError) << threads;
     EXPECT_FALSE(complaint_about_threads(threads).empty());
   }
   EXPECT_EQ(start(3, true).threads(), 3);
-  for (const int threads : {-1, 100000}) EXPECT_THROW(start(threads, true), SceneError) << threads;
+  for (const int threads : {-1, 0, 100000})
+    EXPECT_THROW(start(threads, true), SceneError) << threads;
 }
 
 }  // namespace

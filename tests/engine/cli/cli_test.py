@@ -145,6 +145,9 @@ class CliTest(unittest.TestCase):
             self.assertEqual(done.returncode, 2)
             self.assertIn(f"{threads} threads are more than the", done.stderr)
             self.assertFalse((self.folder / "out").exists())
+        done = self.scarp("run", "block.toml", "--threads", "0")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("0 threads: there cannot be fewer than 1. Try 1, or leave it out for", done.stderr)
         done = subprocess.run([SCARP, "run", "block.toml", "-q", "--json", "-"], cwd=self.folder, capture_output=True,
                               text=True, timeout=100, check=False, env={**os.environ, "OMP_NUM_THREADS": "1000"})
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -154,6 +157,7 @@ class CliTest(unittest.TestCase):
     def test_a_run_of_a_larger_machine_goes_on_with_the_cores_there_are(self):
         self.scarp("run", "block.toml", "-o", "run", "-q")
         record = self.folder / "run" / "run.json"
+        self.assertIsNone(json.loads(record.read_text())["threads"])  # as many as make it faster
         for threads in (1000, -3, 2147483647):
             record.write_text(json.dumps({**json.loads(record.read_text()), "threads": threads}))
             (self.folder / "run" / "results.json").unlink()

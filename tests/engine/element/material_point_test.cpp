@@ -31,7 +31,7 @@ GradientIncrement stretch(double x, double y, double z) { return {x, 0, 0, 0, y,
 
 TEST(MaterialPointTest, ElasticStressIsHookesLaw) {
   for (const char* name : {"modern", "paper"}) {
-    const MaterialPoint point(scene_of(elastic_rock(), name), 0, 3);
+    const MaterialPoint point(scene_of(elastic_rock(), name), {}, 3);
     const std::array<double, 6> start{-1e5, -2e5, -3e5, 1e4, 2e4, -3e4};
     const PointState rest = point.at(start);
     EXPECT_EQ(rest.stress, start);
@@ -56,7 +56,7 @@ TEST(MaterialPointTest, ElasticStressIsHookesLaw) {
 TEST(MaterialPointTest, PlaneStrainIsThePassOfThreeDimensionsWithoutItsThird) {
   for (const Material& material : {elastic_rock(), stiff_clay(), clay()}) {
     const Scene scene = scene_of(material);
-    const MaterialPoint plane(scene, 0, 2), space(scene, 0, 3);
+    const MaterialPoint plane(scene, {}, 2), space(scene, {}, 3);
     PointState a = plane.at({-5e4, -8e4, -6e4, 0, 0, 0}), b = a;
     for (int k = 0; k < 50; ++k) {
       const double turn = 2e-5 * k;
@@ -73,7 +73,7 @@ TEST(MaterialPointTest, PlaneStrainIsThePassOfThreeDimensionsWithoutItsThird) {
 /// steps of w = 2 tan(pi/(4 N)) exchanges the axes exactly, whatever N.
 TEST(MaterialPointTest, AQuarterTurnExchangesTheAxes) {
   for (const int steps : {1, 2, 7, 100}) {
-    const MaterialPoint point(scene_of(elastic_rock()), 0, 3);
+    const MaterialPoint point(scene_of(elastic_rock()), {}, 3);
     PointState state = point.at({-1e5, -4e5, -2e5, 3e4, 1e4, -2e4});
     const double w = 2 * std::tan(std::numbers::pi / 4 / steps);
     for (int k = 0; k < steps; ++k)  // dv_y/dx = w: x towards y
@@ -88,7 +88,7 @@ TEST(MaterialPointTest, AQuarterTurnExchangesTheAxes) {
 /// Shear without friction stops at the cohesion; back from there the soil is elastic until it
 /// yields on the other side, after a strain of twice c/(2G).
 TEST(MaterialPointTest, ShearYieldsAtTheCohesionAndUnloadsElastically) {
-  const MaterialPoint point(scene_of(stiff_clay()), 0, 2);
+  const MaterialPoint point(scene_of(stiff_clay()), {}, 2);
   PointState state = point.at({-1e5, -1e5, -1e5, 0, 0, 0});
   const double step = 1e-6, elastic_limit = 10e3 / (2 * shear);  // tensor strain
   const auto sheared = [&](const PointState& from, double by) {
@@ -115,7 +115,7 @@ TEST(MaterialPointTest, ShearYieldsAtTheCohesionAndUnloadsElastically) {
 
 TEST(MaterialPointTest, ReducedStrengthYieldsEarlier) {
   for (const double reduction : {0.5, 1.0, 1.6}) {
-    const MaterialPoint point(scene_of(stiff_clay()), 0, 2, {}, reduction);
+    const MaterialPoint point(scene_of(stiff_clay()), {}, 2, {}, reduction);
     PointState state = point.at({});
     for (int k = 0; k < 30; ++k) state = point.advance(state, {0, 1e-5, 0, 1e-5, 0, 0, 0, 0, 0});
     EXPECT_NEAR(state.stress[3], 10e3 / reduction, 1e-8);
@@ -126,7 +126,7 @@ TEST(MaterialPointTest, ReducedStrengthYieldsEarlier) {
 /// step on the density before.
 TEST(MaterialPointTest, DensityFollowsTheVolumeWithinItsBounds) {
   const Scene scene = scene_of(elastic_rock());
-  const MaterialPoint point(scene, 0, 3);
+  const MaterialPoint point(scene, {}, 3);
   PointState state = point.at({});
   for (const double by : {1e-3, -2e-3, 5e-4}) {
     const double before = state.density;

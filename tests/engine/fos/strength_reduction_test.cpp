@@ -95,7 +95,7 @@ TEST(CriterionTest, FollowsHeightAndGravity) {
   EXPECT_NEAR(own.limit, 0.1, 1e-8);
   EXPECT_NEAR(own.window, 5.0 * free_fall, 1e-6);
   EXPECT_NEAR(own.ramp, 1.4 * free_fall, 1e-6);
-  EXPECT_EQ(own.probe, std::size_t{0});
+  EXPECT_EQ(own.probe, "crest");
   CriterionOptions options;
   options.height = 20.0;
   options.window = 3.0;
@@ -158,7 +158,7 @@ TEST(StrengthReductionTest, FindsTheFactorOfACoarseSlope) {
   bare.probes.clear();
   StrengthReduction blind = settled_slope(bare);
   blind.measure_elastic({});
-  EXPECT_FALSE(blind.criterion().probe);
+  EXPECT_EQ(blind.criterion().probe, "");
   EXPECT_TRUE(blind.respond(*found.bracket.fails, {})->fails);
   EXPECT_FALSE(blind.respond(1.1, {})->fails);
 }

@@ -15,12 +15,6 @@ int steps_of(const CaseRun& run, int main) {
   return form == Form::short_form ? main / 4 : form == Form::main ? main : 4 * main;
 }
 
-std::size_t material_of(const Scene& scene, std::string_view name) {
-  std::size_t k = 0;
-  while (scene.materials.at(k).name != name) ++k;
-  return k;
-}
-
 Scene with_cone(Scene scene, std::size_t cone) {
   for (Material& material : scene.materials) {
     if (!material.model.has("cone")) continue;
@@ -41,7 +35,7 @@ GradientIncrement shear_with_dilation_path(int dimension, double strain) {
 
 void draw_stress_paths(CaseRun& run) {
   const Scene scene = run.scene_at(0.1, "modern");
-  const std::size_t soil = material_of(scene, "soil_12");
+  constexpr const char* soil = "soil_12";
   struct Path {
     std::string_view name;
     ElementPath path;

@@ -34,9 +34,6 @@ int steps_of(const CaseRun& run, int main);
 /// volume; without strain along z in 2D.
 GradientIncrement shear_with_dilation_path(int dimension, double strain);
 
-/// The scene's material of this name. Pre: it is there.
-std::size_t material_of(const Scene& scene, std::string_view name);
-
 /// The scene with this match of the cone in all its soils.
 Scene with_cone(Scene scene, std::size_t cone);
 

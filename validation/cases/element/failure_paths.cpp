@@ -28,15 +28,14 @@ struct Compared {
 /// What a path is run with and compared by.
 struct Setting {
   const Scene& scene;
-  std::size_t material;
+  const Material& soil;
   const RunOptions& options;
   const CaseRun& run;
 
-  const Material& soil() const { return scene.materials[material]; }
-  double parameter(std::string_view name) const { return soil().model.parameter(name); }
+  double parameter(std::string_view name) const { return soil.model.parameter(name); }
   bool has(Cone cone) const { return parameter("cone") == static_cast<double>(cone); }
   ElementResult driven(ElementPath path, double strain, int main_steps) const {
-    return run_element(scene, {path, material, B, strain, steps_of(run, main_steps)}, options);
+    return run_element(scene, {path, soil.name, B, strain, steps_of(run, main_steps)}, options);
   }
 };
 
@@ -115,7 +114,7 @@ std::vector<Compared> isotropic(const Setting& at) {
 std::vector<Compared> shear_to_apex(const Setting& at) {
   constexpr double shear = 0.01;
   const PlasticSoil soil(at.driven(ElementPath::isotropic, 0.01, 4));
-  const MaterialPoint point(at.scene, at.material, at.scene.dimension, at.options);
+  const MaterialPoint point(at.scene, at.soil.name, at.scene.dimension, at.options);
   const int steps = steps_of(at.run, 200);
   PointState state = point.at({-B, -B, -B, 0, 0, 0});
   GradientIncrement increment = shear_with_dilation_path(at.scene.dimension, shear);
@@ -156,7 +155,7 @@ class Errors {
   void note(const Setting& at, std::string_view cone, const Compared& one) {
     const double error = std::fabs(one.computed - one.expected) / one.scale;
     const std::string& preset = at.scene.numerics.preset;
-    const std::string& soil = at.soil().name;
+    const std::string& soil = at.soil.name;
     table_ << preset << cone << static_cast<double>(at.scene.dimension) << soil << one.quantity
            << one.computed << one.expected << error;
     table_.end_row();
@@ -197,7 +196,7 @@ void failure_paths(CaseRun& run) {
       for (std::size_t m = 0; m < plane.materials.size(); ++m) {
         if (!plane.materials[m].model.has("cone")) continue;
         for (const Scene* scene : {&plane, &space}) {
-          const Setting at{*scene, m, options, run};
+          const Setting at{*scene, scene->materials[m], options, run};
           for (const auto path : {triaxial, plane_strain, simple_shear, isotropic, shear_to_apex}) {
             for (const Compared& one : path(at)) errors.note(at, cone_names[cone], one);
           }

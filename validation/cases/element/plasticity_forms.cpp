@@ -39,7 +39,7 @@ class Comparison {
       : run_(run),
         name_(name),
         scene_(run.scene_at(0.1, run.options().preset)),
-        soil_(material_of(scene_, name)),
+        soil_(name),
         constants_(run_element(scene_, {ElementPath::isotropic, soil_, B, strain, 1},
                                run.options().run)) {}
 
@@ -105,7 +105,7 @@ class Comparison {
   CaseRun& run_;
   std::string_view name_;
   Scene scene_;
-  std::size_t soil_;
+  std::string soil_;
   PlasticSoil constants_;
 };
 

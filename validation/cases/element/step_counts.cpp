@@ -27,7 +27,7 @@ constexpr std::array<double, 6> turned{-B, -3 * B, -2 * B, 0.5 * B, 0, 0};
 MaterialPoint point_of(Scene scene, StressRotation rotation, std::string_view material,
                        const RunOptions& options) {
   scene.numerics.stress_rotation = rotation;
-  return MaterialPoint(scene, material_of(scene, material), 2, options);
+  return MaterialPoint(scene, material, 2, options);
 }
 
 /// The state after `steps` equal increments.
@@ -106,8 +106,8 @@ struct Series {
 /// Elastic simple shear to gamma = 1 under constant sigma_yy, through the driver.
 double elastic_shear_error(Scene scene, StressRotation kind, int steps, const RunOptions& options) {
   scene.numerics.stress_rotation = kind;
-  const ElementResult result = run_element(
-      scene, {ElementPath::simple_shear, material_of(scene, "elastic"), B, 1.0, steps}, options);
+  const ElementResult result =
+      run_element(scene, {ElementPath::simple_shear, "elastic", B, 1.0, steps}, options);
   const double g = result.shear_modulus;
   const ElasticShear exact = elastic_simple_shear(result.bulk_modulus, g, 1.0);
   const auto& stress = result.samples.back().stress;

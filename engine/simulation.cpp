@@ -2,9 +2,7 @@
 /// Public entry of the library: read-outs, and the step.
 #include "engine/simulation.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
@@ -12,7 +10,10 @@
 #include "engine/checkpoint/state_snapshot.hpp"
 #include "engine/errors.hpp"
 #include "engine/particles/field_access.hpp"
+#include "engine/particles/noise.hpp"
+#include "engine/particles/probe_reading.hpp"
 #include "engine/particles/readable.hpp"
+#include "engine/particles/slots_by_id.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
@@ -22,14 +23,6 @@
 
 namespace scarp {
 namespace {
-
-/// Evenly spread over -1 to 1. Source: Steele, Lea and Flood (2014), splitmix64.
-double noise(std::uint64_t key) {
-  key = (key + 1) * 0x9E3779B97F4A7C15u;
-  key = (key ^ (key >> 30)) * 0xBF58476D1CE4E5B9u;
-  key = (key ^ (key >> 27)) * 0x94D049BB133111EBu;
-  return static_cast<double>((key ^ (key >> 31)) >> 11) * 0x1p-52 - 1.0;
-}
 
 /// Empty: frames do not hold it.
 std::optional<FieldInfo::Numbers> numbers_in_frames(Readout readout) {
@@ -62,57 +55,41 @@ Impl& owned(const std::unique_ptr<Impl>& impl) {
 
 struct Simulation::Impl {
   explicit Impl(State made) : state(std::move(made)), runner(state.scene.numerics.integrator) {}
+  /// From bodies or `particles`, at the start or where `snapshot` was taken.
+  static std::unique_ptr<Impl> make(Scene scene, RunOptions options, const Particles* particles,
+                                    const Snapshot* snapshot) {
+    return or_abort(options.reduction.get(), [&] {
+      if (snapshot != nullptr && options.isa.empty()) options.isa = snapshot->text("isa");
+      auto impl = std::make_unique<Impl>(make_state(std::move(scene), options, particles));
+      if (snapshot != nullptr) apply_snapshot(impl->state, *snapshot);
+      return impl;
+    });
+  }
 
   State state;
   PhaseRunner runner;
-  /// Slots of all particles in ascending order of their ids.
-  std::vector<std::int64_t> slots_by_id() const {
-    const auto& ids = state.particles.ids();
-    std::vector<std::int64_t> slots;
-    std::int64_t last = -1;
-    for (const ParticleGroup& group : state.particles.groups()) {
-      for (std::int64_t k = group.first; k < group.end(); ++k) {
-        slots.push_back(k);
-        last = std::max(last, ids[static_cast<std::size_t>(k)]);
-      }
-    }
-    if (last + 1 == std::ssize(slots)) {  // no gaps: each id is a place
-      const std::vector<std::int64_t> all = slots;
-      for (const std::int64_t slot : all)
-        slots[static_cast<std::size_t>(ids[static_cast<std::size_t>(slot)])] = slot;
-      return slots;
-    }
-    std::sort(slots.begin(), slots.end(), [&ids](std::int64_t a, std::int64_t b) {
-      return ids[static_cast<std::size_t>(a)] < ids[static_cast<std::size_t>(b)];
-    });
-    return slots;
-  }
 };
 
 Simulation::Simulation(Scene scene, const RunOptions& options)
-    : impl_(std::make_unique<Impl>(make_state(std::move(scene), options))) {}
-Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options) {
-  if (options.isa.empty()) options.isa = snapshot.text("isa");
-  impl_ = std::make_unique<Impl>(make_state(std::move(scene), options));
-  apply_snapshot(impl_->state, snapshot);
-}
+    : impl_(Impl::make(std::move(scene), options, nullptr, nullptr)) {}
+Simulation::Simulation(Scene scene, const Snapshot& snapshot, RunOptions options)
+    : impl_(Impl::make(std::move(scene), std::move(options), nullptr, &snapshot)) {}
 Simulation::Simulation(Scene scene, const Particles& particles, const RunOptions& options)
-    : impl_(std::make_unique<Impl>(make_state(std::move(scene), options, &particles))) {}
+    : impl_(Impl::make(std::move(scene), options, &particles, nullptr)) {}
 Simulation::Simulation(Scene scene, const Particles& particles, const Snapshot& snapshot,
-                       RunOptions options) {
-  if (options.isa.empty()) options.isa = snapshot.text("isa");
-  impl_ = std::make_unique<Impl>(make_state(std::move(scene), options, &particles));
-  apply_snapshot(impl_->state, snapshot);
-}
+                       RunOptions options)
+    : impl_(Impl::make(std::move(scene), std::move(options), &particles, &snapshot)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 const StepReport& Simulation::step() {
   State& state = owned(impl_).state;
-  stop_if_asked(state.options.stop);
-  if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
-  impl_->runner.step(state);
+  or_abort(state.reduction.get(), [&] {
+    stop_if_asked(state.options.stop);
+    if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
+    impl_->runner.step(state);
+  });
   return state.report;
 }
 
@@ -144,14 +121,7 @@ void Simulation::perturb(double speed) {
   if (!std::isfinite(speed))
     throw Error(fmt::format("perturb({}): no speed. Try a finite number of m/s.", speed));
   State& state = owned(impl_).state;
-  const auto& ids = state.particles.ids();
-  for (int a = 0; a < state.scene.dimension; ++a) {
-    double* velocity = state.particles.component(Field::velocity, a);
-    for (std::size_t slot = 0; slot < ids.size(); ++slot) {
-      if (ids[slot] < 0) continue;
-      velocity[slot] += speed * noise(static_cast<std::uint64_t>(3 * ids[slot] + a));
-    }
-  }
+  add_noise(state.particles, speed);
   state.clock.restart = true;
 }
 
@@ -199,7 +169,7 @@ std::vector<double> Simulation::field(std::string_view name) const {
       continue;
     }
     std::vector<double> values;
-    for (const std::int64_t slot : owned(impl_).slots_by_id()) {
+    for (const std::int64_t slot : slots_by_id(state.particles)) {
       for (int c = 0; c < component_count(field.rank); ++c)
         values.push_back(from.value(field, slot, c));
     }
@@ -214,16 +184,17 @@ FieldView Simulation::view(std::string_view name) const {
 
 void Simulation::set_field(std::string_view name, std::span<const double> values) {
   Impl& impl = owned(impl_);
-  write_field(impl.state.particles, name, impl.slots_by_id(), values);
-  impl.runner.renew(impl.state);
+  or_abort(impl.state.reduction.get(), [&] {
+    write_field(impl.state.particles, name, slots_by_id(impl.state.particles), values);
+    impl.runner.renew(impl.state);
+  });
 }
 
 std::vector<std::int64_t> Simulation::ids() const {
+  const ParticleBuffers& particles = owned(impl_).state.particles;
   std::vector<std::int64_t> ids;
-  for (const std::int64_t id : owned(impl_).state.particles.ids()) {
-    if (id >= 0) ids.push_back(id);
-  }
-  std::sort(ids.begin(), ids.end());
+  for (const std::int64_t slot : slots_by_id(particles))
+    ids.push_back(particles.ids()[static_cast<std::size_t>(slot)]);
   return ids;
 }
 
@@ -238,8 +209,11 @@ std::vector<double> Simulation::wall_positions() const {
 }
 
 void Simulation::require_sound() const {
-  if (const std::optional<Instability> found = inspect(owned(impl_).state))
-    throw SimulationInstability(*found);
+  const State& state = owned(impl_).state;
+  or_abort(state.reduction.get(), [&] {
+    if (const std::optional<Instability> found = inspect(state))
+      throw SimulationInstability(*found);
+  });
 }
 
 const LostSoil& Simulation::lost_soil() const { return owned(impl_).state.lost; }
@@ -254,27 +228,7 @@ ProbeSample Simulation::probe(std::size_t index) const {
     throw Error(fmt::format("probe({}): the scene has {} probes. Try an index below that.", index,
                             state.probe_particles.size()));
   }
-  const auto& ids = state.particles.ids();
-  const std::int64_t followed = state.probe_particles[index].particle;
-  const auto slot = std::find(ids.begin(), ids.end(), followed) - ids.begin();
-  const auto read = [&](Field field, int c) {
-    const double* array = state.particles.component(field, c);
-    return array != nullptr ? array[slot] : 0.0;
-  };
-  ProbeSample sample;
-  sample.probe = state.scene.probes[index].name;
-  for (int a = 0; a < 3; ++a) {
-    const auto axis = static_cast<std::size_t>(a);
-    sample.position[axis] = read(Field::position, a);
-    sample.displacement[axis] = sample.position[axis] - read(Field::reference_position, a);
-    sample.velocity[axis] = read(Field::velocity, a);
-  }
-  for (int c = 0; c < 6; ++c) sample.stress[static_cast<std::size_t>(c)] = read(Field::stress, c);
-  sample.density = read(Field::density, 0);
-  for (const kernels::StateField& field : history_of(state.scene)) {
-    if (field.output) sample.history.push_back(state.particles.declared(field.name)[slot]);
-  }
-  return sample;
+  return read_probe(state.scene, state.particles, state.probe_particles[index]);
 }
 
 ProbeSample Simulation::probe(std::string_view name) const {

@@ -38,7 +38,8 @@ struct FieldInfo {
 /// Owns the particles of one scene. Not safe for concurrent use of one object; two objects are
 /// independent. Errors: SceneError from the constructor (nothing is left behind),
 /// SimulationInstability from `step()` (state stays readable), Stopped from both (from `step()`
-/// before it changes anything), Error from every member of an object that has been moved from.
+/// before it changes anything), Error from every member of an object that has been moved from. Each
+/// but the last calls `Reduction::abort` on the way.
 class Simulation {
  public:
   explicit Simulation(Scene scene, const RunOptions& options = {});
@@ -72,7 +73,8 @@ class Simulation {
   void perturb(double speed);
   /// Calls the hook in every step before or after a phase, also where a stage begins; hooks of one
   /// place in the order given. A force is added to "acceleration" after "sweep_force" (Verlet:
-  /// "sweep_all"): it takes part in the step's size. Copies keep the hooks; a snapshot does not.
+  /// "sweep_all"): it takes part in the step's size, and the watch and the energies know its work
+  /// (`EnergyBalance::hooks`). Copies keep the hooks; a snapshot does not.
   /// What a hook throws leaves `step()`. Errors: Error for a phase that the run does not have.
   void on_phase(std::string_view phase, When when, PhaseHook hook);
   /// The phases of the start of a stage, then those of a step, in their order.

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -16,8 +15,7 @@
 #include "engine/cli/fos_forecast.hpp"
 #include "engine/cli/fos_output.hpp"
 #include "engine/cli/fos_record.hpp"
-#include "engine/cli/interrupt.hpp"
-#include "engine/cli/progress.hpp"
+#include "engine/cli/fos_settle.hpp"
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/failure_run.hpp"
@@ -62,25 +60,6 @@ SearchOptions search_options(const FosArguments& arguments) {
   return {arguments.from, arguments.to, arguments.tolerance};
 }
 
-/// A progress bar for each trial, begun at its first step.
-class TrialProgress {
- public:
-  explicit TrialProgress(bool quiet) : quiet_(quiet) {}
-  bool operator()(const Simulation& now) {
-    if (!bar_) bar_.emplace(total_duration(now.scene()), quiet_);
-    bar_->update(now);
-    return true;
-  }
-  void end() {
-    if (bar_) bar_->end();
-    bar_.reset();
-  }
-
- private:
-  bool quiet_;
-  std::optional<Progress> bar_;
-};
-
 void write_outputs(const FosReport& report, const Simulation& settled, const fs::path& folder,
                    const FosArguments& arguments) {
   const std::string json = fos_json(report, settled);
@@ -94,98 +73,6 @@ fs::path output_folder(const FosArguments& arguments, const Scene& scene) {
   return arguments.folder.empty()
              ? fs::path("out") / (fs::path(scene.file).stem().string() + "_fos")
              : fs::path(arguments.folder);
-}
-
-/// Keeps what has been found while a slope settles: now and then, at its end, when told to stop.
-class SettlingKeeper {
- public:
-  SettlingKeeper(const Scene& scene, const fs::path& folder, SearchRecord& record)
-      : folder_(folder),
-        record_(record),
-        stages_(scene.stages.size()),
-        interval_(scene.checkpoints.wall_interval),
-        before_(record.settle_wall_s) {}
-  void after_step(const Simulation& now) {
-    if (now.stage_index() + 1 >= stages_) return;  // a trial
-    const bool settled = now.stage_ended() && now.stage_index() + 2 == stages_;
-    const bool due = interval_ > 0.0 && since(last_) >= interval_;
-    if (settled || due || stop_requested()) keep(now);
-  }
-  void begin_again(double strengthening) {
-    forget_state(folder_);
-    record_.strengthening = strengthening;
-    record_.settle_wall_s = seconds();
-    write_search(folder_, record_);
-  }
-  double seconds() const { return before_ + since(start_); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static double since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  void keep(const Simulation& now) {
-    last_ = Clock::now();
-    record_.settle_wall_s = seconds();
-    try {
-      keep_state(folder_, now);
-    } catch (const FileError& error) {
-      fmt::print(stderr, "warning: the state is not kept: {}\n", error.what());
-    }
-    write_search(folder_, record_);
-  }
-
-  const fs::path& folder_;
-  SearchRecord& record_;
-  std::size_t stages_;
-  double interval_, before_;  ///< [s]
-  Clock::time_point start_ = Clock::now(), last_ = start_;
-};
-
-/// Settles, with as much strength as the slope needs for it, and with the cost of all attempts,
-/// from where it was left.
-std::optional<StrengthReduction> settle(const Scene& scene, const FosArguments& arguments,
-                                        FosReport& report, SearchRecord& record,
-                                        const fs::path& folder, TrialProgress& progress) {
-  SettlingKeeper keeper(scene, folder, record);
-  const auto told = [&](double strengthening) {
-    progress.end();
-    keeper.begin_again(strengthening);
-    if (arguments.quiet) return;
-    fmt::print(stderr,
-               "the slope fails with the strength it settles with: once more from the start, with "
-               "{:g} times the scene's\n",
-               strengthening);
-  };
-  const auto each_step = [&](const Simulation& now) {
-    const bool goes_on = progress(now);
-    keeper.after_step(now);
-    return goes_on;
-  };
-  SettleStart start{record.strengthening, kept_settling(folder), record.elastic};
-  if (start.state && !arguments.quiet) {
-    fmt::print(stderr, "goes on with the state at {:.4g} s\n",
-               start.state->numbers("clock/time", 1).front());
-  }
-  const auto attempt = [&] {
-    return settle_standing(scene, arguments.scene.options, report.criterion, each_step, told,
-                           start);
-  };
-  std::optional<StandingSlope> standing;
-  try {
-    standing = attempt();
-  } catch (const CheckpointError& error) {
-    fmt::print(stderr, "warning: settles from the start: {}\n", error.what());
-    start.state.reset();
-    standing = attempt();
-  }
-  progress.end();
-  if (!standing) return {};
-  report.strengthening = standing->strengthening;
-  report.settle_time = standing->settle_time;
-  report.settled_at_rest = standing->slope.settled().stage_reached_rest();
-  report.settle_wall_s = record.settle_wall_s;
-  return std::move(standing->slope);
 }
 
 /// What is begun, from the scene as it starts.
@@ -221,7 +108,7 @@ int search_in(const fs::path& folder, const Scene& scene, const FosArguments& ar
   write_search(folder, record);
   TrialProgress progress(arguments.quiet);
   std::optional<StrengthReduction> standing =
-      settle(scene, arguments, report, record, folder, progress);
+      settle_in(folder, scene, arguments, report, record, progress);
   if (!standing) throw Stopped();
   StrengthReduction& slope = *standing;
   CsvFile table(folder / "fos.csv", trial_titles());

@@ -17,14 +17,14 @@ using kernels::SymTensor;
 /// `wall_reactions`.
 constexpr std::uint64_t steps_per_sample = 10;
 
-/// Stored energies and per-mass work fields summed over the particles; `plastic` and `diffusion`
-/// since reset.
+/// Stored energies and per-mass work fields summed over the particles, and what hooks did;
+/// `plastic` and `diffusion` since reset.
 struct StoredEnergy {
   EnergyBalance parts;
   double stress_work = 0.0;
 };
 
-StoredEnergy stored_energy(const State& state) {
+StoredEnergy own_energy(const State& state) {
   StoredEnergy sum;
   const ParticleBuffers& p = state.particles;
   const int dimension = state.scene.dimension;
@@ -52,8 +52,16 @@ StoredEnergy stored_energy(const State& state) {
       sum.stress_work += mass * value(Field::stress_work, 0);
     }
   }
+  sum.parts.hooks = state.ledger.hooks.net;
+  return sum;
+}
+
+/// Of the soil of all parts.
+StoredEnergy stored_energy(const State& state) {
+  StoredEnergy sum = own_energy(state);
   state.reduction->sum_each({&sum.parts.kinetic, &sum.parts.potential, &sum.parts.elastic,
-                             &sum.parts.plastic, &sum.parts.diffusion, &sum.stress_work});
+                             &sum.parts.plastic, &sum.parts.diffusion, &sum.parts.hooks,
+                             &sum.stress_work});
   return sum;
 }
 
@@ -137,6 +145,11 @@ void sample_energy(State& state) {
   ledger.last_powers = now;
 }
 
+double mechanical_energy(const State& state) {
+  const EnergyBalance own = own_energy(state).parts;
+  return own.kinetic + own.potential + own.elastic;
+}
+
 EnergyBalance energy_balance(const State& state) {
   const EnergyLedger& ledger = state.ledger;
   const StoredEnergy now = stored_energy(state);
@@ -150,12 +163,13 @@ EnergyBalance energy_balance(const State& state) {
   e.damping = ledger.work.damping;
   e.artificial_stress = ledger.work.artificial_stress;
   e.wall = ledger.work.wall + ledger.work.hold;
+  e.hooks = now.parts.hooks;
   if (state.scene.output.energy) {
     e.gradient_residue =
         -ledger.work.stress - (now.stress_work - ledger.stress_work_start) - ledger.work.wall;
-    e.imbalance =
-        -(e.kinetic - ledger.start.kinetic + e.potential + e.elastic + e.plastic + e.viscous +
-          e.damping + e.wall + e.artificial_stress + e.gradient_residue + e.diffusion);
+    e.imbalance = e.hooks - (e.kinetic - ledger.start.kinetic + e.potential + e.elastic +
+                             e.plastic + e.viscous + e.damping + e.wall + e.artificial_stress +
+                             e.gradient_residue + e.diffusion);
   }
   return e;
 }

@@ -17,6 +17,13 @@ struct ForcePowers {
   double wall = 0.0, hold = 0.0;  ///< on moving walls: by pairs, and by the faces (B4)
 };
 
+/// What the hooks of a program have done to the soil of this part in the present stage.
+struct HookWork {
+  double net = 0.0;    ///< [J]
+  double sum = 0.0;    ///< of the absolute values of all that they gave and took [J]
+  double speed = 0.0;  ///< that a particle can have got from them at most [m/s]
+};
+
 /// Energies of the present stage: integrals of powers that are sampled every few steps.
 struct EnergyLedger {
   ForcePowers work;
@@ -25,12 +32,16 @@ struct EnergyLedger {
   std::uint64_t last_step = 0;
   EnergyBalance start;  ///< stored energies when the stage began
   double stress_work_start = 0.0;
+  HookWork hooks;
 };
+
 /// Powers of the forces, every few steps, where the output asks for energies. Called after
 /// the force sweep of a step, with velocity and records of the same instant.
 void sample_energy(State& state);
 void start_ledger(State& state);  ///< at the start of a stage
 EnergyBalance energy_balance(const State& state);
+/// Kinetic, potential and elastic energy of the soil of this part [J].
+double mechanical_energy(const State& state);
 
 namespace phases {
 

@@ -17,6 +17,7 @@ struct EnergyBalance {
   double gradient_residue =
       0.0;                 ///< force power minus stress power: plain force, corrected gradient
   double diffusion = 0.0;  ///< elastic energy taken by the stress diffusion
+  double hooks = 0.0;      ///< work that hooks of the program do on the soil
   double imbalance = 0.0;  ///< what the lines above leave open
 };
 

@@ -8,12 +8,12 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <system_error>
 
 #include "engine/checkpoint/finite_numbers.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/result_files.hpp"
+#include "engine/output/run_progress.hpp"
 #include "engine/output/text_file.hpp"
 
 namespace scarp {
@@ -96,7 +96,9 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder)
 
 RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
                      const Snapshot& progress, OldTables tables)
-    : folder_(made(std::move(folder))), histories_(simulation, folder_, progress, tables) {
+    : folder_(made(std::move(folder))),
+      histories_(simulation, folder_, progress, tables),
+      results_(results_in(progress)) {
   keep_scene(simulation.scene(), folder_);
   remove_page(folder_);
   remove_file(folder_ / "results.json");
@@ -115,26 +117,6 @@ RunWriter::RunWriter(const Simulation& simulation, std::filesystem::path folder,
   frame_step_ = step_of("outputs/frame_step");
   row_step_ = step_of("outputs/row_step");
   seconds_before_ = finite_numbers(progress, "outputs/wall_seconds", 1).front();
-  std::istringstream names(progress.text("outputs/ended_stages"));
-  const std::size_t ended = progress.numbers("outputs/end_times").size();
-  const std::vector<double>& times = finite_numbers(progress, "outputs/end_times", ended);
-  const std::vector<std::int64_t>& steps = progress.integers("outputs/end_steps", times.size());
-  const std::vector<std::int64_t>& rest = progress.integers("outputs/reached_rest", times.size());
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    std::string name;
-    std::getline(names, name);
-    stages_.push_back({name, times[k], static_cast<std::uint64_t>(steps[k]), rest[k] != 0});
-  }
-  std::istringstream reasons(progress.text("outputs/retry_reasons"));
-  const std::vector<double>& factors = progress.numbers("outputs/retry_factors");
-  const std::vector<std::int64_t>& retried =
-      progress.integers("outputs/retry_steps", 2 * factors.size());
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    std::string reason;
-    std::getline(reasons, reason);
-    retries_.push_back({static_cast<std::uint64_t>(retried[2 * k]),
-                        static_cast<std::uint64_t>(retried[2 * k + 1]), factors[k], reason});
-  }
 }
 
 void RunWriter::add_progress(Snapshot& snapshot) {
@@ -147,31 +129,7 @@ void RunWriter::add_progress(Snapshot& snapshot) {
   add_step("outputs/frame_step", frame_step_);
   add_step("outputs/row_step", row_step_);
   snapshot.add("outputs/wall_seconds", "s", {seconds_so_far()});
-  std::string names;
-  std::vector<std::int64_t> steps, rest;
-  std::vector<double> times;
-  for (const StageResult& stage : stages_) {
-    names += stage.name + '\n';
-    steps.push_back(static_cast<std::int64_t>(stage.end_step));
-    rest.push_back(stage.reached_rest);
-    times.push_back(stage.end_time);
-  }
-  snapshot.add("outputs/ended_stages", std::move(names));
-  snapshot.add("outputs/end_steps", std::move(steps));
-  snapshot.add("outputs/reached_rest", std::move(rest));
-  snapshot.add("outputs/end_times", "s", std::move(times));
-  std::string reasons;
-  std::vector<std::int64_t> retry_steps;
-  std::vector<double> factors;
-  for (const Retry& retry : retries_) {
-    reasons += retry.reason + '\n';
-    retry_steps.push_back(static_cast<std::int64_t>(retry.step));
-    retry_steps.push_back(static_cast<std::int64_t>(retry.back_to));
-    factors.push_back(retry.step_factor);
-  }
-  snapshot.add("outputs/retry_reasons", std::move(reasons));
-  snapshot.add("outputs/retry_steps", std::move(retry_steps));
-  snapshot.add("outputs/retry_factors", "", std::move(factors));
+  add_results(snapshot, results_);
 }
 
 void RunWriter::enter_stage(const Simulation& simulation) {
@@ -205,8 +163,8 @@ void RunWriter::after_step(const Simulation& simulation) {
     next_row_ = next_multiple(time, row_interval_);
   }
   if (ended && stage_ < simulation.scene().stages.size()) {
-    stages_.push_back({simulation.scene().stages[stage_].name, simulation.last_step().time,
-                       simulation.last_step().step, simulation.stage_reached_rest()});
+    results_.stages.push_back({simulation.scene().stages[stage_].name, simulation.last_step().time,
+                               simulation.last_step().step, simulation.stage_reached_rest()});
   }
 }
 
@@ -215,44 +173,38 @@ void RunWriter::finish(const Simulation& simulation, double wall_seconds,
   write_frame(simulation, failure.empty() ? "last" : "stopped");
   if (frames_) frames_->write_lists();
   write_row(simulation);
-  write_results(simulation, wall_seconds, failure, measures_of(simulation));
+  results_.failure = failure;
+  take_measures(simulation);
+  write_results(simulation, wall_seconds);
 }
 
-std::vector<Measure> RunWriter::measures_of(const Simulation& simulation) const {
-  return measures_ ? *measures_ : basic_measures(simulation);
+void RunWriter::take_measures(const Simulation& simulation) {
+  if (!has_own_measures_) results_.measures = basic_measures(simulation);
 }
 
-void RunWriter::write_results(const Simulation& simulation, double wall_seconds,
-                              const std::string& failure,
-                              const std::vector<Measure>& measures) const {
+void RunWriter::write_results(const Simulation& simulation, double wall_seconds) {
   const LostSoil& lost = simulation.lost_soil();
-  scarp::write_results(
-      folder_ / "results.json", simulation,
-      {case_name(simulation.scene(), folder_),
-       seconds_before_ + wall_seconds,
-       stages_,
-       measures,
-       failure.empty() && lost.particles > 0 ? lost.message(simulation.soil_count()) : failure,
-       instability_,
-       retries_,
-       {{"write_frames", frame_seconds_},
-        {"write_rows", row_seconds_},
-        {"write_checkpoints", checkpoint_seconds_}}});
+  results_.case_name = case_name(simulation.scene(), folder_);
+  results_.wall_seconds = seconds_before_ + wall_seconds;
+  if (results_.failure.empty() && lost.particles > 0)
+    results_.failure = lost.message(simulation.soil_count());
+  results_.outputs = {{"write_frames", frame_seconds_},
+                      {"write_rows", row_seconds_},
+                      {"write_checkpoints", checkpoint_seconds_}};
+  scarp::write_results(folder_ / "results.json", simulation, results_);
 }
 
 void RunWriter::go_back(const Simulation& simulation, const Snapshot& progress, Retry retry) {
-  std::vector<Retry> retries = std::move(retries_);
-  retries.push_back(std::move(retry));
-  std::optional<std::vector<Measure>> measures = std::move(measures_);
-  const double seconds = seconds_so_far();
-  const double frames = frame_seconds_, rows = row_seconds_, checkpoints = checkpoint_seconds_;
-  *this = RunWriter(simulation, folder_, progress);
-  retries_ = std::move(retries);
-  measures_ = std::move(measures);
-  seconds_before_ = seconds;
-  frame_seconds_ += frames;
-  row_seconds_ += rows;
-  checkpoint_seconds_ += checkpoints;
+  RunWriter back(simulation, folder_, progress);
+  back.results_.retries = std::move(results_.retries);
+  back.results_.retries.push_back(std::move(retry));
+  back.results_.measures = std::move(results_.measures);
+  back.has_own_measures_ = has_own_measures_;
+  back.seconds_before_ = seconds_so_far();
+  back.frame_seconds_ += frame_seconds_;
+  back.row_seconds_ += row_seconds_;
+  back.checkpoint_seconds_ += checkpoint_seconds_;
+  *this = std::move(back);
 }
 
 double RunWriter::seconds_so_far() const {
@@ -276,15 +228,15 @@ std::string RunWriter::end_early(const Simulation& simulation, double wall_secon
   try {
     const std::string reason = reason_of(why);
     if (const auto* unstable = as<SimulationInstability>(why))
-      instability_ = unstable->what_happened();
+      results_.instability = unstable->what_happened();
     if (as<FileError>(why) ==
         nullptr) {  // a full disk takes no more, and the state is not to blame
       attempt("last frame", [&] { write_frame(simulation, "stopped"); });
       attempt("last row", [&] { write_row(simulation); });
     }
-    std::vector<Measure> measures;
-    attempt("measures", [&] { measures = measures_of(simulation); });
-    attempt("results", [&] { write_results(simulation, wall_seconds, reason, measures); });
+    results_.failure = reason;
+    attempt("measures", [&] { take_measures(simulation); });
+    attempt("results", [&] { write_results(simulation, wall_seconds); });
   } catch (...) {  // without memory even for the words
   }
   return missing;

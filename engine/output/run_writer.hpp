@@ -50,10 +50,13 @@ class RunWriter {
   /// Takes back what was written since `progress` was a snapshot, and goes on from there with
   /// `simulation`; the retry stands in the results. Errors: FileError.
   void go_back(const Simulation& simulation, const Snapshot& progress, Retry retry);
-  const std::vector<Retry>& retries() const { return retries_; }
+  const std::vector<Retry>& retries() const { return results_.retries; }
 
   /// Replaces the basic measures that `finish` writes (a validation case has its own).
-  void set_measures(std::vector<Measure> measures) { measures_ = std::move(measures); }
+  void set_measures(std::vector<Measure> measures) {
+    results_.measures = std::move(measures);
+    has_own_measures_ = true;
+  }
 
   /// Flushes everything to the disk and adds how far the outputs have come. Errors: FileError.
   void add_progress(Snapshot& snapshot);
@@ -73,17 +76,14 @@ class RunWriter {
   double seconds_so_far() const;  ///< wall time since the run began
   void write_frame(const Simulation& simulation, std::string_view event);
   void write_row(const Simulation& simulation);
-  std::vector<Measure> measures_of(const Simulation& simulation) const;
-  void write_results(const Simulation& simulation, double wall_seconds, const std::string& failure,
-                     const std::vector<Measure>& measures) const;
+  void take_measures(const Simulation& simulation);
+  void write_results(const Simulation& simulation, double wall_seconds);
 
   std::filesystem::path folder_;
   std::optional<FrameWriter> frames_;
   ProbeWriter histories_;
-  std::vector<StageResult> stages_;
-  std::optional<std::vector<Measure>> measures_;
-  std::optional<Instability> instability_;
-  std::vector<Retry> retries_;
+  RunResults results_;  ///< as they come together
+  bool has_own_measures_ = false;
   std::size_t stage_ = 0;
   double frame_interval_ = 0.0, row_interval_ = 0.0;  ///< [s]; infinite: none between start and end
   double next_frame_ = 0.0, next_row_ = 0.0;          ///< in stage time [s]

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/energy/hook_work.hpp"
 #include "engine/errors.hpp"
 #include "engine/state.hpp"
 
@@ -18,11 +19,20 @@ PhaseRunner::PhaseRunner(Integrator integrator)
       start_seconds_(phases_.stage_start.size()),
       step_seconds_(phases_.step.size()) {}
 
+/// At least 1: what only the start of a stage has.
+double PhaseRunner::times_in_a_step(std::string_view phase) const {
+  const auto times = std::count_if(phases_.step.begin(), phases_.step.end(),
+                                   [phase](const Phase& one) { return one.name == phase; });
+  return std::max(1.0, static_cast<double>(times));
+}
+
 void PhaseRunner::call_hooks(State& state, const Phase& phase, When when) const {
   for (const Hook& hook : hooks_) {
     if (hook.when != when || hook.phase != phase.name) continue;
-    PhaseView view(state, phase, when);
+    HookMeter meter(state, 1.0 / times_in_a_step(hook.phase));
+    PhaseView view(state, phase, when, meter);
     hook.call(view);
+    meter.enter();
   }
 }
 

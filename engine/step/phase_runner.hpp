@@ -33,6 +33,7 @@ class PhaseRunner {
     When when;
     PhaseHook call;
   };
+  double times_in_a_step(std::string_view phase) const;
   void call_hooks(State& state, const Phase& phase, When when) const;
   double run(State& state, PhaseList list, std::vector<double>& seconds) const;
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "engine/energy/hook_work.hpp"
 #include "engine/errors.hpp"
 #include "engine/state.hpp"
 
@@ -83,6 +84,7 @@ std::span<double> PhaseView::write(std::string_view field, int component) {
         before ? "before" : "after", phase_.name, before ? "read" : "write",
         known.empty() ? "Try another phase." : fmt::format("Try {}.", fmt::join(known, ", "))));
   }
+  meter_.before_change(row.field);
   return {state_.particles.component(row.field, component),
           static_cast<std::size_t>(state_.particles.slots())};
 }

@@ -12,6 +12,7 @@
 namespace scarp {
 
 struct Phase;
+class HookMeter;
 class ParticleBuffers;
 struct State;
 
@@ -36,8 +37,8 @@ struct PhaseTime {
 /// Nothing is copied. Valid within the call only: particles are put in another order now and then.
 class PhaseView {
  public:
-  PhaseView(State& state, const Phase& phase, When when)
-      : state_(state), phase_(phase), when_(when) {}
+  PhaseView(State& state, const Phase& phase, When when, HookMeter& meter)
+      : state_(state), phase_(phase), when_(when), meter_(meter) {}
 
   std::string_view phase() const;
   double time() const;       ///< simulated time at the start of the step [s]
@@ -56,6 +57,7 @@ class PhaseView {
   State& state_;
   const Phase& phase_;
   When when_;
+  HookMeter& meter_;
 };
 
 using PhaseHook = std::function<void(PhaseView&)>;

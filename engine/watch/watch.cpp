@@ -55,9 +55,9 @@ std::int64_t fastest_slot(const State& state) {
   return fastest;
 }
 
-/// What waves, the start of the stage and its walls give a reason for.
-double allowed_speed(const State& state) {
-  return speed_margin * (state.limits.sound_speed + state.stage.start_speed);
+/// What waves, the start of the stage, its walls and hooks give a reason for.
+double allowed_speed(const State& state, double by_hooks) {
+  return speed_margin * (state.limits.sound_speed + state.stage.start_speed + by_hooks);
 }
 
 /// Beyond the allowed speed only a fall explains more: its own, or that of soil which pushes it.
@@ -75,7 +75,8 @@ std::optional<Instability> too_fast(const State& state) {
   found.value = std::sqrt(speed_squared(state, slot));
   const Vec3& g = state.scene.gravity;
   const double height = std::hypot(g[0], g[1], g[2]) * soil_height(state);
-  found.limit = allowed_speed(state) + std::sqrt(2.0 * (std::max(fall, 0.0) + height));
+  const double by_hooks = state.reduction->maximum_of(state.ledger.hooks.speed);
+  found.limit = allowed_speed(state, by_hooks) + std::sqrt(2.0 * (std::max(fall, 0.0) + height));
   if (found.value <= found.limit) return {};
   found.cause = causes;
   found.advice = advice_after_step_test(remedies);
@@ -138,20 +139,22 @@ std::optional<Instability> not_finite_at_a_look(const State& state) {
   return not_finite(state, slot);
 }
 
-/// Kinetic, potential and elastic energy may only fall in a stage whose walls rest. What they may
-/// exceed their start by is what the stage has had to spend: its start and what has fallen.
+/// But for the work of hooks, kinetic, potential and elastic energy may only fall in a stage whose
+/// walls rest. What they may exceed their start by is what the stage has had to spend: its start,
+/// what has fallen, and what hooks gave or took, whose work is known to first order in the step.
 std::optional<Instability> energy_from_nothing(const State& state) {
   for (const Vec3& v : state.boundary.velocity) {
     if (v != Vec3{}) return {};
   }
   const EnergyBalance& start = state.ledger.start;
   const EnergyBalance now = energy_balance(state);
-  const double gain = now.kinetic - start.kinetic + now.potential + now.elastic;
-  const double mass = state.reduction->sum_of(state.particles.mass());
+  const double gain = now.kinetic - start.kinetic + now.potential + now.elastic - now.hooks;
+  double mass = state.particles.mass(), by_hooks = state.ledger.hooks.sum;
+  state.reduction->sum_each({&mass, &by_hooks});
   // Without weight, speed and stress round-off is all there is: a thousandth of the wave speed.
   const double slow = 1e-3 * state.limits.sound_speed;
-  const double spent =
-      start.kinetic + start.elastic + std::max(-now.potential, 0.0) + 0.5 * mass * slow * slow;
+  const double spent = start.kinetic + start.elastic + std::max(-now.potential, 0.0) + by_hooks +
+                       0.5 * mass * slow * slow;
   if (gain <= spent) return {};
   Instability found = at_particle(state, fastest_slot(state));  // the likeliest culprit
   found.field = "energy gained by all soil";
@@ -218,7 +221,8 @@ std::optional<Instability> inspect(const State& state) {
 
 void watch(State& state) {
   std::optional<Instability> found;
-  if (state.report.max_velocity > allowed_speed(state)) found = too_fast(state);
+  // Without what hooks gave, which other parts may not know: `too_fast` asks.
+  if (state.report.max_velocity > allowed_speed(state, 0.0)) found = too_fast(state);
   if (!found && (state.report.step + 1) % steps_per_look == 0) found = inspect(state);
   if (found) throw SimulationInstability(*found);
 }

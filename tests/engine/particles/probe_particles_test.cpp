@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "engine/errors.hpp"
+#include "engine/particles/probe_reading.hpp"
 #include "tests/support/small_scenes.hpp"
 
 namespace scarp {
@@ -102,6 +104,31 @@ TEST(ProbeParticlesTest, TheSimulationTellsWhatItFollows) {
   EXPECT_EQ(crest.start, simulation.probe("crest").position);
   EXPECT_EQ(crest.start, simulation.probe(0).position);
   EXPECT_THROW(static_cast<void>(simulation.probe("toe")), Error);
+}
+
+/// A part of a soil may have given the particle of a probe away.
+TEST(ProbeReadingTest, AParticleThatIsNotHereIsNamed) {
+  const Scene scene = test::elastic_column("modern", 1.0, 0.1);
+  constexpr Field used[]{Field::position, Field::velocity, Field::density, Field::stress};
+  ParticleBuffers particles(2, {{{.mass = 1.0}, 0, 3, padded(3)}}, used);
+  for (std::int64_t k = 0; k < 3; ++k) {
+    particles.ids()[static_cast<std::size_t>(k)] = 10 + k;
+    particles.component(Field::position, 1)[k] = 0.5 * static_cast<double>(k);
+  }
+  const ProbeParticle crest{.probe = "crest", .particle = 12};
+  EXPECT_EQ(read_probe(scene, particles, crest).position[1], 1.0);
+  const std::int64_t given_away = 2;
+  particles.remove({&given_away, 1});
+  try {
+    read_probe(scene, particles, crest);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("probe 'crest': it follows particle 12, which is not "
+                        "among the 2 particles"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// Hooks before and after the phases of a step.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -172,6 +173,68 @@ TEST(HookTest, PhasesTellWhatTheyTouch) {
     EXPECT_EQ(phase.reads, (std::vector<std::string>{"velocity", "acceleration"}));
     EXPECT_EQ(phase.writes, std::vector<std::string>{"velocity"});
   }
+}
+
+/// A block at rest without weight that only a hook drives.
+Scene resting_block(Integrator integrator) {
+  Scene scene = free_block(integrator, {});
+  scene.initial_stress = InitialStress::zero;
+  scene.bodies[0].velocity_field.clear();
+  scene.output.energy = true;
+  return scene;
+}
+
+TEST(HookTest, WhatAForceAddsIsNoEnergyFromNothing) {
+  const double mass = 2000.0;  // of 1 m2
+  for (const Integrator integrator : integrators) {
+    Simulation simulation(resting_block(integrator), {1, {}});
+    add_force(simulation, integrator, {3.0, 4.0, 0.0});
+    for (int k = 0; k < 400; ++k) simulation.step();
+    const double speed = 5.0 * simulation.last_step().time;
+    const EnergyBalance e = simulation.energy();
+    EXPECT_NEAR(e.kinetic, 0.5 * mass * speed * speed, 1e-9 * mass * speed * speed);
+    // Power times step lags by half a step: 400 steps are off by an 800th of their half.
+    EXPECT_NEAR(e.hooks / e.kinetic, 1.0, 1.0 / 300) << static_cast<int>(integrator);
+    EXPECT_NEAR(e.imbalance / e.kinetic, 0.0, 1.0 / 300) << static_cast<int>(integrator);
+  }
+}
+
+TEST(HookTest, AForceMayMakeSoilFasterThanSound) {
+  for (const Integrator integrator : integrators) {
+    Scene scene = resting_block(integrator);
+    scene.materials[0].model.set("youngs_modulus", 1e4);  // c_p = 2.6 m/s
+    Simulation simulation(scene, {1, {}});
+    add_force(simulation, integrator, {0.0, 10.0, 0.0});
+    while (simulation.last_step().time < 2.0) simulation.step();
+    EXPECT_GT(simulation.last_step().max_velocity, 15.0);
+  }
+}
+
+/// A hook may also set the fields themselves: here it throws the block to and fro.
+TEST(HookTest, SpeedsThatAHookSetsAreItsWork) {
+  Simulation simulation(resting_block(Integrator::kick_drift_kick), {1, {}});
+  double kinetic = 0.0, before = 0.0;
+  simulation.on_phase("hold_off_faces", When::after, [&](PhaseView& view) {
+    const double speed = 0.5 * std::sin(200.0 * view.time());
+    for (double& v : view.write("velocity", 0)) v += speed - before;
+    before = speed;
+  });
+  for (int k = 0; k < 400; ++k) {
+    simulation.step();
+    const EnergyBalance e = simulation.energy();
+    kinetic = std::max(kinetic, e.kinetic);
+  }
+  const EnergyBalance e = simulation.energy();
+  EXPECT_GT(kinetic, 0.5 * 2000.0 * 0.2);
+  EXPECT_NEAR(e.hooks, e.kinetic, 1e-9 * kinetic);
+}
+
+TEST(HookTest, ABlowUpIsFoundBesideAHook) {
+  Scene scene = free_block(Integrator::verlet, {});
+  scene.numerics.cfl = 2.0;
+  Simulation simulation(scene, {1, {}});
+  add_force(simulation, Integrator::verlet, {0.0, 1.0, 0.0});
+  EXPECT_THROW(for (int k = 0; k < 2000; ++k) simulation.step(), SimulationInstability);
 }
 
 }  // namespace

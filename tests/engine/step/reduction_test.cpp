@@ -3,12 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <barrier>
+#include <condition_variable>
+#include <functional>
+#include <limits>
 #include <memory>
+#include <mutex>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "engine/errors.hpp"
 #include "engine/simulation.hpp"
 #include "tests/support/small_scenes.hpp"
 
@@ -66,19 +71,19 @@ TEST(ReductionTest, SeesWhatAStepTakesOverAllSoil) {
     listener->asked.clear();
     simulation.step();  // the watch looks: height of the soil, stored energies, mass; lost soil
     EXPECT_EQ(count("gather"), 1);
-    EXPECT_EQ(count("sum6"), 1);
-    EXPECT_EQ(count("sum2"), 1);
+    EXPECT_EQ(count("sum7"), 1);
+    EXPECT_EQ(count("sum2"), 2);
     simulation.end_stage();
     listener->asked.clear();
     simulation.step();  // the next stage: its heights, its fastest, the start of its ledger
     EXPECT_EQ(count("gather"), 1);
-    EXPECT_EQ(count("sum6"), 1);
+    EXPECT_EQ(count("sum7"), 1);
     listener->asked.clear();
     static_cast<void>(simulation.energy());
     static_cast<void>(simulation.wall_reactions());
     static_cast<void>(simulation.face_hold_count());
     static_cast<void>(simulation.density_bound_count());
-    EXPECT_EQ(listener->asked, Names({"sum6", "sum9", "sum1", "sum1"}));
+    EXPECT_EQ(listener->asked, Names({"sum7", "sum9", "sum1", "sum1"}));
   }
 }
 
@@ -114,27 +119,51 @@ class Parts {
     }
     void gather(std::vector<double>& values) override {
       parts_.given_[index_] = values;
-      parts_.meet_.arrive_and_wait();
+      parts_.meet();
       const std::vector<double>& other = parts_.given_[1 - index_];
       values.insert(values.end(), other.begin(), other.end());
-      parts_.meet_.arrive_and_wait();
+      parts_.meet();
     }
+    void abort() noexcept override { parts_.abort(); }
 
    private:
     template <class Join>
     void join(std::span<double> values, const Join& two) {
       parts_.given_[index_].assign(values.begin(), values.end());
-      parts_.meet_.arrive_and_wait();
+      parts_.meet();
       for (std::size_t k = 0; k < values.size(); ++k)
         values[k] = two(parts_.given_[0].at(k), parts_.given_[1].at(k));
-      parts_.meet_.arrive_and_wait();
+      parts_.meet();
     }
     Parts& parts_;
     std::size_t index_;
   };
 
  private:
-  std::barrier<> meet_{2};
+  /// Waits for the other part. Errors: Error once one of both has stopped.
+  void meet() {
+    std::unique_lock lock(mutex_);
+    const int meeting = meetings_;
+    if (waits_ && !aborted_) {
+      ++meetings_;
+      waits_ = false;
+      change_.notify_all();
+      return;
+    }
+    waits_ = true;
+    change_.wait(lock, [&] { return aborted_ || meetings_ != meeting; });
+    if (meetings_ == meeting) throw Error("another part of the soil has stopped");
+  }
+  void abort() {
+    const std::lock_guard lock(mutex_);
+    aborted_ = true;
+    change_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable change_;
+  int meetings_ = 0;
+  bool waits_ = false, aborted_ = false;
   std::vector<double> given_[2];
 };
 
@@ -201,6 +230,75 @@ TEST(ReductionTest, TwoPartsStepAsOne) {
     both.insert(both.end(), part[1].position.begin(), part[1].position.end());
     ASSERT_EQ(both.size(), whole.position.size());
     for (std::size_t k = 0; k < both.size(); ++k) EXPECT_NEAR(both[k], whole.position[k], 1e-12);
+  }
+}
+
+/// What a part of two ends with, where the second spoils something.
+using Spoil = std::function<void(Simulation&)>;
+std::string end_of_part(std::size_t index, Parts& parts, RunOptions options, const Spoil& spoil) {
+  options.threads = 1;
+  options.reduction = std::make_shared<Parts::Part>(parts, index);
+  try {
+    Simulation simulation(two_blocks("modern", index == 0, index == 1), options);
+    if (spoil) spoil(simulation);
+    for (int k = 0; k < 120; ++k) simulation.step();
+    return "ran on";
+  } catch (const SimulationInstability& error) {
+    return "unstable";
+  } catch (const Stopped&) {
+    return "stopped";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+TEST(ReductionTest, APartThatThrowsDoesNotLeaveTheOtherWaiting) {
+  const auto hook_into = [](const char* phase, PhaseHook hook) {
+    return
+        [phase, hook](Simulation& simulation) { simulation.on_phase(phase, When::before, hook); };
+  };
+  struct Case {
+    Spoil spoil;
+    std::function<bool()> stop;
+    std::string end;
+  };
+  int looks = 0;
+  for (const Case& one : {Case{hook_into("choose_time_step",
+                                         [](PhaseView& view) {
+                                           if (view.time() > 1e-3)
+                                             throw std::runtime_error("enough");
+                                         }),
+                               {},
+                               "enough"},
+                          Case{hook_into("choose_time_step",
+                                         [](PhaseView& view) {
+                                           if (view.time() > 1e-3)
+                                             view.write("velocity")[0] =
+                                                 std::numeric_limits<double>::quiet_NaN();
+                                         }),
+                               {},
+                               "unstable"},
+                          // Only the look at every 50th step finds it.
+                          Case{hook_into("watch",
+                                         [](PhaseView& view) {
+                                           if (view.time() > 1e-3) view.write("density")[0] = 1.0;
+                                         }),
+                               {},
+                               "unstable"},
+                          Case{{}, [] { return true; }, "stopped"},  // in the set-up
+                          Case{{}, [&looks] { return ++looks == 200; }, "stopped"}}) {  // later
+    Parts parts;
+    std::string ends[2];
+    const auto run = [&](std::size_t index) {
+      RunOptions options;
+      if (index == 1) options.stop = one.stop;
+      ends[index] = end_of_part(index, parts, options, index == 1 ? one.spoil : Spoil());
+    };
+    std::thread other(run, 1);
+    run(0);
+    other.join();
+    EXPECT_EQ(ends[1], one.end);
+    EXPECT_EQ(ends[0], "another part of the soil has stopped");
   }
 }
 

@@ -38,6 +38,8 @@ struct Boundary {
 
 /// Makes the dummies of the walls that stand; the lists are no longer valid.
 void place_walls(State& state);
+/// Over the time by which the soil drifts too [s].
+void move_walls(State& state, double dt);
 /// Records of the dummies, velocity and stress from the soil near them. Equation: B1, B2.
 void extrapolate_walls(State& state);
 /// Takes from the velocities what would carry grains through a face. Equation: B4.
@@ -55,7 +57,7 @@ inline constexpr Phase extrapolate_walls{"extrapolate_walls",
                                          scarp::extrapolate_walls};
 inline constexpr Phase hold_off_faces{"hold_off_faces",
                                       {Field::position, Field::velocity, Part::lists, Part::walls},
-                                      {Field::velocity, Part::walls},
+                                      {Field::position, Field::velocity, Part::walls},
                                       scarp::hold_off_faces};
 
 }  // namespace phases

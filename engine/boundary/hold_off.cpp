@@ -39,13 +39,27 @@ void merge(Holds& total, const Holds& part) {
     total.add(w, part.impulse.size(), part.impulse[w]);
 }
 
-/// Mean force of a step over the impulse of one pass. Both halves of kick-drift-kick have a pass;
-/// Verlet takes the velocity over two steps and so holds off what two steps bring. Of a kick from
-/// rest the damping has taken its share.
-double force_over_impulse(const State& state) {
+/// Of a kick from rest the damping has taken its share.
+double acceleration_over_change(const State& state) {
   const double kick = state.clock.kick;
-  const bool halves = state.scene.numerics.integrator == Integrator::kick_drift_kick;
-  return (halves ? 0.5 : 1.0) * (1.0 + 0.5 * state.stage.damping * kick) / kick;
+  return (1.0 + 0.5 * state.stage.damping * kick) / kick;
+}
+
+bool halves(const State& state) {
+  return state.scene.numerics.integrator == Integrator::kick_drift_kick;
+}
+
+/// Mean force of a step over the impulse of one pass. Both halves of kick-drift-kick have a pass;
+/// Verlet takes the velocity over two steps and so holds off what two steps bring.
+double force_over_impulse(const State& state) {
+  return (halves(state) ? 0.5 : 1.0) * acceleration_over_change(state);
+}
+
+/// Way over the change of velocity. Verlet has moved the soil by 1/2 a dt^2 of what the face holds
+/// off too; kick-drift-kick moves by the held velocity.
+double way_over_change(const State& state) {
+  const double dt = state.clock.time_step;
+  return halves(state) ? 0.0 : 0.5 * dt * dt * acceleration_over_change(state);
 }
 
 }  // namespace
@@ -60,7 +74,7 @@ void hold_off_faces(State& state) {
   const kernels::NeighbourView lists = state.neighbours.lists.view();
   const std::int64_t size = state.kernels.cluster_size;
   const int dimension = state.scene.dimension;
-  std::array<const double*, 3> position{};
+  std::array<double*, 3> position{};
   std::array<double*, 3> velocity{};
   for (int a = 0; a < dimension; ++a) {
     position[static_cast<std::size_t>(a)] = state.particles.component(Field::position, a);
@@ -71,6 +85,7 @@ void hold_off_faces(State& state) {
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
   const double reach =
       std::max(nearest, -deepest) * state.particles.largest_spacing() * (1.0 + 1e-6);
+  const double way = way_over_change(state);
   const auto hold = [&](std::int64_t k, const ParticleGroup& group, Holds& holds,
                         FacetSearch& search) {
     const double spacing = group.spacing;
@@ -98,8 +113,10 @@ void hold_off_faces(State& state) {
         ++faces;
       }
     }
-    for (std::size_t a = 0; held && a < static_cast<std::size_t>(dimension); ++a)
+    for (std::size_t a = 0; held && a < static_cast<std::size_t>(dimension); ++a) {
+      position[a][k] += way * (v[a] - velocity[a][k]);
       velocity[a][k] = v[a];
+    }
     holds.count += held ? 1 : 0;
   };
   const auto run = [&](std::int64_t begin, std::int64_t end) {

@@ -18,6 +18,17 @@ WallMaterial wall_material(const State& state) {
 
 }  // namespace
 
+void move_walls(State& state, double dt) {
+  for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
+    const Vec3& v = state.boundary.velocity[w];
+    if (v == Vec3{}) continue;
+    const Vec3 step{v[0] * dt, v[1] * dt, v[2] * dt};
+    for (std::size_t a = 0; a < 3; ++a) state.boundary.offset[w][a] += step[a];
+    state.boundary.walls.move(w, step);
+    state.boundary.moved += std::hypot(step[0], step[1], step[2]);
+  }
+}
+
 void extrapolate_walls(State& state) {
   if (state.boundary.walls.count() == 0) return;
   kernels::WallSweepView<double> view{};

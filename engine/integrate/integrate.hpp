@@ -33,7 +33,7 @@ struct StepLimits {
 void choose_time_step(State& state);  ///< from the rates at hand. Errors: SimulationInstability
 void advance_verlet(State& state);    ///< stress and every level of time. Equation: E28, E29
 void kick_half(State& state);         ///< velocity over half a step. Equation: I1
-void drift_half(State& state);        ///< position over half a step
+void drift_half(State& state);        ///< position and walls over half a step
 void advance_stress(State& state);    ///< stress and density over the step
 
 namespace phases {
@@ -50,12 +50,14 @@ inline constexpr Phase choose_time_step{
     scarp::choose_time_step};
 inline constexpr Phase advance_verlet{
     "advance_verlet",
-    point_history | verlet_levels | gradient_output | DataSet(Field::acceleration),
-    point_history | verlet_levels, scarp::advance_verlet};
+    point_history | verlet_levels | gradient_output | DataSet(Field::acceleration, Part::walls),
+    point_history | verlet_levels | DataSet(Part::walls), scarp::advance_verlet};
 inline constexpr Phase kick_half{
     "kick_half", {Field::velocity, Field::acceleration}, Field::velocity, scarp::kick_half};
-inline constexpr Phase drift_half{
-    "drift_half", {Field::position, Field::velocity}, Field::position, scarp::drift_half};
+inline constexpr Phase drift_half{"drift_half",
+                                  {Field::position, Field::velocity, Part::walls},
+                                  {Field::position, Part::walls},
+                                  scarp::drift_half};
 inline constexpr Phase advance_stress{"advance_stress", point_history | gradient_output,
                                       point_history, scarp::advance_stress};
 

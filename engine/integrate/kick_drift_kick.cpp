@@ -35,6 +35,7 @@ void drift_half(State& state) {
                       for (std::int64_t k = begin; k < end; ++k) position[k] += half * velocity[k];
                     });
   }
+  move_walls(state, half);
 }
 
 void advance_stress(State& state) {

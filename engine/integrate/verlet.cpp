@@ -23,6 +23,7 @@ void advance_verlet(State& state) {
         const auto dimension = static_cast<std::size_t>(state.scene.dimension - 2);
         return passes.verlet[dimension](view, constants, verlet, begin, end);
       });
+  move_walls(state, dt);
   clock.since_restart = leaps ? clock.since_restart + 1 : 1;
   clock.restart = false;
   clock.previous_time_step = dt;

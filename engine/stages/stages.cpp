@@ -157,14 +157,6 @@ void enter_stage(State& state) {
 
 void end_step(State& state) {
   const double dt = state.clock.time_step;
-  for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
-    const Vec3& v = state.boundary.velocity[w];
-    if (v == Vec3{}) continue;
-    const Vec3 step{v[0] * dt, v[1] * dt, v[2] * dt};
-    for (std::size_t a = 0; a < 3; ++a) state.boundary.offset[w][a] += step[a];
-    state.boundary.walls.move(w, step);
-    state.boundary.moved += std::hypot(step[0], step[1], step[2]);
-  }
   ++state.report.step;
   ++state.limits.counts[static_cast<std::size_t>(state.report.limit)];
   state.report.time += dt;

@@ -24,7 +24,7 @@ struct StageClock {
 };
 
 void enter_stage(State& state);           ///< the first, or the one after the present one
-void end_step(State& state);              ///< clocks, moving walls, lost soil, the stage's end
+void end_step(State& state);              ///< clocks, lost soil, the stage's end
 double soil_height(const State& state);   ///< extent along gravity of what is not lost [m]
 double fastest_soil(const State& state);  ///< ... and its largest speed [m/s]
 
@@ -38,7 +38,7 @@ inline constexpr Phase enter_stage{
 inline constexpr Phase end_step{
     "end_step",
     {Field::position, Field::velocity, Field::reference_position, Part::walls},
-    Part::walls,
+    {},
     scarp::end_step};
 
 }  // namespace phases

@@ -152,5 +152,25 @@ TEST(FaceTest, ForcesOnAFaceAreTheChangeOfMomentum) {
   }
 }
 
+/// A grain that lies on a floor weighs what it weighs, at whatever damping, of which a kick from
+/// rest loses its share.
+TEST(FaceTest, AGrainAtRestWeighsWhatItWeighs) {
+  for (const char* preset_name : {"paper", "modern"}) {
+    for (const double damping : {0.0, 200.0}) {
+      Scene scene = thrown_grain(preset_name, {0.0, 10e6});
+      scene.bodies = {{.shape = Box{{0, -0.03, 0}, {0.1, 0.07, 0}}}};  // its centre below dx/4
+      scene.stages[0].damping = damping;
+      Simulation simulation(scene, {1, {}});
+      for (int k = 0; k < 100; ++k) {
+        simulation.step();
+        // Round-off of the sweeps with and without the floor.
+        ASSERT_NEAR(simulation.wall_reactions().front().force[1] / (-2000.0 * 0.01 * 9.81), 1.0,
+                    1e-12)
+            << preset_name << ' ' << damping << ' ' << k;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace scarp::test

@@ -191,18 +191,5 @@ TEST(ProfileTest, TimesEveryPhaseOnceAndNoMoreThanPassed) {
   }
 }
 
-TEST(EnergyTest, BalanceOfASlideCloses) {
-  Scene scene = small_slope("modern", 0.5, 1.5, 2.0);
-  scene.output.energy = true;
-  Simulation simulation(scene, {2, {}});
-  while (!simulation.finished()) simulation.step();
-  const EnergyBalance e = simulation.energy();
-  EXPECT_LT(e.potential, 0.0);
-  EXPECT_GT(e.plastic, 0.0);
-  EXPECT_GE(e.viscous, 0.0);
-  // The band of the validation case: 2 % of the potential drop.
-  EXPECT_LT(std::abs(e.imbalance), 0.02 * std::abs(e.potential));
-}
-
 }  // namespace
 }  // namespace scarp::test

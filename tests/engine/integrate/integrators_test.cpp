@@ -79,6 +79,19 @@ TEST_P(IntegratorTest, TheStepOfALoneGrainIsThatOfSound) {
   EXPECT_EQ(simulation.last_step().limit, StepLimit::acoustic);
 }
 
+/// A force bounds it by sqrt(h/a): gravity and drag beside whatever the pairs do.
+TEST_P(IntegratorTest, TheStepOfAGrainInStrongGravityIsThatOfItsForce) {
+  constexpr double drag = 1e5, strong = -1e6;  // [1/s], [m/s2]; h/c is 4 times sqrt(h/a)
+  Scene scene = lone_grain(GetParam(), 1.0, drag);
+  scene.gravity = {0.0, strong, 0.0};
+  Simulation simulation(scene);
+  const double acceleration = std::hypot(-drag * speed[0], strong - drag * speed[1]);
+  const double step =
+      scene.numerics.cfl * std::sqrt(scene.numerics.smoothing_ratio * dx / acceleration);
+  EXPECT_NEAR(simulation.step().time_step, step, 1e-15);
+  EXPECT_EQ(simulation.last_step().limit, StepLimit::force);
+}
+
 /// Each half kick takes v to keep v + gain g, the damping on the mean of old and new velocity; its
 /// fixed point is g/c at any step.
 TEST(KickDriftKickTest, DampingFollowsItsRecurrence) {

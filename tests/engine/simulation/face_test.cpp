@@ -168,6 +168,7 @@ TEST(FaceTest, AGrainAtRestWeighsWhatItWeighs) {
                     1e-12)
             << preset_name << ' ' << damping << ' ' << k;
       }
+      EXPECT_NEAR(simulation.field("position")[1], 0.02, 1e-15) << preset_name << ' ' << damping;
     }
   }
 }

@@ -45,6 +45,7 @@ std::vector<Height> heights() {
   return {{settling({layer(0, 2, "elastic")}), 2.0, slow},
           {settling({layer(0, 2, "stiff")}), 2.0, fast},
           {settling({layer(0, 1, "stiff"), layer(1, 3, "elastic")}), 3.0, slow},
+          {settling({layer(0, 1, "elastic"), layer(1, 3, "stiff")}), 3.0, slow},
           {settling({layer(0, 1.2, "elastic"), layer(2, 3, "elastic")}), 1.2, slow}};
 }
 

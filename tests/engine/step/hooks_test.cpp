@@ -199,6 +199,21 @@ TEST(HookTest, WhatAForceAddsIsNoEnergyFromNothing) {
   }
 }
 
+/// Of a block that lets go of its stress meanwhile: force times way of its centre.
+TEST(HookTest, OnlyTheForceOfTheHookIsItsWork) {
+  const Vec3 more{3.0, 4.0, 0.0};
+  for (const Integrator integrator : integrators) {
+    Simulation simulation(free_block(integrator, {}), {1, {}});
+    add_force(simulation, integrator, more);
+    for (int k = 0; k < 400; ++k) simulation.step();
+    const std::vector<double> moved = simulation.field("displacement");
+    double work = 0.0;
+    for (std::size_t k = 0; k < moved.size(); ++k) work += 2000.0 * 0.01 * more[k % 3] * moved[k];
+    // As above.
+    EXPECT_NEAR(simulation.energy().hooks / work, 1.0, 1.0 / 300) << static_cast<int>(integrator);
+  }
+}
+
 TEST(HookTest, AForceMayMakeSoilFasterThanSound) {
   for (const Integrator integrator : integrators) {
     Scene scene = resting_block(integrator);

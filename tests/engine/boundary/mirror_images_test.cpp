@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "kernels/pair/list.hpp"
 #include "kernels/tensor.hpp"
 #include "tests/support/small_scenes.hpp"
 
@@ -31,6 +32,7 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 struct Point {
   Vec3 position{}, velocity{};
   Matrix stress{};
+  Matrix tension{};  ///< of the second line
 };
 
 /// Three smooth planes that meet at right angles, turned any way, each on a wall of its own.
@@ -77,8 +79,10 @@ struct Corner {
         const double t = along + k0 * ((i == j ? 1.0 : 0.0) - along);
         to.stress[i][j] = 2.0 * d * density * dot(gravity, n) * t;
         for (std::size_t k = 0; k < 3; ++k) {
-          for (std::size_t l = 0; l < 3; ++l)
+          for (std::size_t l = 0; l < 3; ++l) {
             to.stress[i][j] += r[i][k] * from.stress[k][l] * r[j][l];
+            to.tension[i][j] += r[i][k] * from.tension[k][l] * r[j][l];
+          }
         }
       }
     }
@@ -102,19 +106,27 @@ void expect_same(const Point& image, const Point& wanted) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(image.position[i], wanted.position[i], 5.0 * round_off);
     EXPECT_NEAR(image.velocity[i], wanted.velocity[i], 10.0 * round_off);
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < 3; ++j) {
       EXPECT_NEAR(image.stress[i][j], wanted.stress[i][j], 1e5 * round_off);
+      EXPECT_NEAR(image.tension[i][j], wanted.tension[i][j], 1e5 * round_off);
+    }
   }
 }
 
-Point read_record(const double* r) {
+Matrix full(const double* s) {
+  return {{{s[xx], s[xy], s[zx]}, {s[xy], s[yy], s[yz]}, {s[zx], s[yz], s[zz]}}};
+}
+
+constexpr int first_tension = first_second<PairTerms, ArtificialStress>;
+
+Point read_record(const double* r, const double* second) {
   Point point;
   for (std::size_t a = 0; a < 3; ++a) {
     point.position[a] = r[record_x + a] * smoothing_length;
     point.velocity[a] = r[record_velocity_x + a];
   }
-  const double* s = r + record_stress;
-  point.stress = {{{s[xx], s[xy], s[zx]}, {s[xy], s[yy], s[yz]}, {s[zx], s[yz], s[zz]}}};
+  point.stress = full(r + record_stress);
+  point.tension = full(second + first_tension);
   return point;
 }
 
@@ -131,6 +143,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     ParticleBuffers soil(
         3, {{{.reference_density = density, .mass = 1.0}, 0, count, padded(count)}}, used);
     std::vector<Point> wanted;
+    std::array<std::array<double, 6>, count> tension{};
     for (std::int64_t k = 0; k < count; ++k) {
       Point point;
       point.position = corner.apex;
@@ -138,7 +151,11 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
         point.position = plus(point.position, inside(random), axis);
       double s[6];
       for (int c = 0; c < 6; ++c) soil.component(Field::stress, c)[k] = s[c] = 1e4 * number(random);
-      point.stress = {{{s[xx], s[xy], s[zx]}, {s[xy], s[yy], s[yz]}, {s[zx], s[yz], s[zz]}}};
+      point.stress = full(s);
+      if (k % 2 == 0) {  // the others have been in no tension
+        for (double& t : tension[static_cast<std::size_t>(k)]) t = 1e4 * number(random);
+      }
+      point.tension = full(tension[static_cast<std::size_t>(k)].data());
       for (int a = 0; a < 3; ++a) {
         const auto axis = static_cast<std::size_t>(a);
         point.velocity[axis] = number(random);
@@ -163,9 +180,18 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot);
     records.resize(0, images.count());
     images.pack(records, scaling.inverse_smoothing_length, offset, velocity, corner.gravity);
+    records.take_second();
+    for (std::int64_t k = 0; k < count; k += 2) {
+      std::copy_n(tension[static_cast<std::size_t>(k)].data(), 6,
+                  records.second(k) + first_tension);
+      records.mark(k) = 1;
+    }
+    images.pack_second(records, TermSet{Term::artificial_stress});
     std::vector<Point> made;
-    for (std::int64_t g = 0; g < images.count(); ++g)
-      made.push_back(read_record(records.record(Role::image, g)));
+    for (std::int64_t g = 0; g < images.count(); ++g) {
+      const std::int64_t index = records.layout()[Role::image].first + g;
+      made.push_back(read_record(records.record(index), records.second(index)));
+    }
     std::sort(made.begin(), made.end(), before);
     std::sort(wanted.begin(), wanted.end(), before);
     for (std::size_t g = 0; g < wanted.size(); ++g) expect_same(made[g], wanted[g]);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/support/small_scenes.hpp"
 
@@ -104,6 +105,28 @@ TEST(MovingWallTest, PistonCompressesTheColumnByItsStroke) {
   // exp(-2.5); the damping takes rho L c_d v/2 = 0.4 kPa between piston and base: 2 % and 3 %.
   EXPECT_NEAR(mean / (modulus * std::log(1 - 0.005)), 1.0, 0.02);
   EXPECT_NEAR(simulation.wall_reactions()[1].force[1] / -mean, 1.0, 0.03);
+}
+
+/// The margin of the neighbour lists says when they are built, and nothing else: a piston drives
+/// soil that is thrown against it.
+TEST(MovingWallTest, MarginsOfListsChangeNothing) {
+  const auto places = [](double skin, int steps) {
+    Scene scene = elastic_column("modern", 1.0, 0.1);
+    scene.gravity = {};
+    scene.numerics.skin = skin;
+    scene.walls.push_back(wall_of("piston", WallKind::no_slip, {facet_2d(1, 1.3, 0, 1.3)}));
+    scene.walls[1].velocity = {0, -8.0, 0};
+    scene.bodies[0].velocity = {0.0, 5.0, 0.0};
+    scene.stages = {stage_for("meet", 10.0)};
+    const Simulation simulation = run_steps(scene, steps, {1, {}});
+    return std::pair{simulation.field("position"), simulation.rebuild_count()};
+  };
+  constexpr int steps = 60;
+  const auto [often, many] = places(0.02, steps);
+  const auto [seldom, few] = places(0.5, steps);
+  EXPECT_GT(many, 2 * few);
+  EXPECT_GT(few, 1u);
+  for (std::size_t k = 0; k < often.size(); ++k) EXPECT_NEAR(often[k], seldom[k], round_off);
 }
 
 }  // namespace

@@ -50,6 +50,8 @@ class SoilModel {
 
   /// Pre of all below: the parameters are valid.
   bool yields() const { return info().yields; }
+  /// Whether the strength can fall as the soil deforms.
+  bool softens() const { return info().softens(parameters_); }
   kernels::ElasticModuli moduli() const;
   std::optional<kernels::CoulombStrength> strength() const { return info().strength(parameters_); }
   kernels::ModelConstants prepare(const kernels::MaterialSetting& setting) const {

@@ -149,7 +149,7 @@ struct DruckerPrager {
   Constants prepare(const MaterialSetting& setting) const {
     return {elastic_moduli(youngs_modulus, poisson_ratio),
             cone_constants(strength().reduced(setting.strength_reduction), cone), cone,
-            prepare_softening(strength(), softening_input(), setting)};
+            prepare_softening(*this, setting)};
   }
   static constexpr ElasticModuli moduli(const Constants& c) { return c.elastic; }
 
@@ -178,10 +178,8 @@ struct DruckerPrager {
   static std::array<double, 3> show(const Constants& c) {
     return {c.cone.alpha_phi, c.cone.k_c, c.cone.alpha_psi};
   }
-  std::optional<ParameterComplaint> complaint() const {
-    if (const auto wrong = dilation_complaint(strength(), 4)) return wrong;
-    return softening_complaint(strength(), softening_input(), 6);
-  }
+  bool softens() const { return strength_falls(*this); }
+  std::optional<ParameterComplaint> complaint() const { return coulomb_complaint(*this, 6); }
   std::optional<ParameterComplaint> doubt(int dimension) const {
     if (dimension == 3 || cone != Cone::outer) return {};
     if (!(3.0 * cone_constants(strength(), cone).alpha_phi >= 1.0)) return {};
@@ -191,10 +189,6 @@ struct DruckerPrager {
   }
 
  private:
-  SofteningInput softening_input() const {
-    return {residual_cohesion, residual_friction_angle, softening, softening_slip, dilation_limit};
-  }
-
   /// Apart, so that soil without softening runs the same instructions as if there were none.
   template <class T>
   [[gnu::noinline]] static SymTensor<T> update_softened(const Constants& c,

@@ -13,6 +13,8 @@
 ///   update(...)        stress and history of a point over one step, for double and for vectors
 /// and may declare
 ///   strength()         Coulomb's cohesion and angles, if it has them
+///   softens()          whether its strength can fall as its history changes; where it does not
+///                      say, it does if it has history variables
 ///   yield_function     > 0 outside the yield surface [Pa]
 ///   shown, show        constants worth printing
 ///   complaint()        what is wrong with parameters that are each within their bounds

@@ -26,6 +26,7 @@ struct ModelInfo {
   ModelConstants (*prepare)(Values, const MaterialSetting&);
   ElasticModuli (*moduli)(const ModelConstants&);
   std::optional<CoulombStrength> (*strength)(Values);
+  bool (*softens)(Values);
   std::optional<ParameterComplaint> (*complaint)(Values);
   std::optional<ParameterComplaint> (*doubt)(Values, int dimension);
   /// NaN where the model does not say.
@@ -60,6 +61,13 @@ inline constexpr ModelInfo info_of(const ModelPasses* passes = nullptr) {
       return model_of<Model>(values).strength();
     } else {
       return {};
+    }
+  };
+  info.softens = []([[maybe_unused]] Values values) {
+    if constexpr (requires(const Model& m) { m.softens(); }) {
+      return model_of<Model>(values).softens();
+    } else {
+      return !Model::state_fields.empty();
     }
   };
   info.complaint = [](Values values) -> std::optional<ParameterComplaint> {

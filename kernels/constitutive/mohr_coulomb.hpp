@@ -179,7 +179,7 @@ struct MohrCoulomb {
     const bool cut_off =
         surface.sine == 0.0 ? tensile_strength < 1e12 : surface.tensile_strength < surface.apex;
     return {elastic_moduli(youngs_modulus, poisson_ratio), surface, cut_off,
-            prepare_softening(strength(), softening_input(), setting)};
+            prepare_softening(*this, setting)};
   }
   static constexpr ElasticModuli moduli(const Constants& c) { return c.elastic; }
 
@@ -205,16 +205,10 @@ struct MohrCoulomb {
     const double shear = coulomb_function(surface, s.value[0], s.value[2]);
     return c.cut_off ? std::fmax(shear, s.value[0] - surface.tensile_strength) : shear;
   }
-  std::optional<ParameterComplaint> complaint() const {
-    if (const auto wrong = dilation_complaint(strength(), 4)) return wrong;
-    return softening_complaint(strength(), softening_input(), 6);
-  }
+  bool softens() const { return strength_falls(*this); }
+  std::optional<ParameterComplaint> complaint() const { return coulomb_complaint(*this, 6); }
 
  private:
-  SofteningInput softening_input() const {
-    return {residual_cohesion, residual_friction_angle, softening, softening_slip, dilation_limit};
-  }
-
   template <class C, class T>
   static SCARP_INLINE SymTensor<T> flow(const Constants& c, const CoulombSurface<C>& surface,
                                         const StrainIncrement<T>& step, SymTensor<T>& stress,

@@ -25,15 +25,6 @@ struct CoulombTangents {
 /// resolution, so that a slip in metres means the same at each.
 inline constexpr double band_spacings = 2.5;
 
-/// What a soil says about its softening; members of the models that have it.
-struct SofteningInput {
-  double residual_cohesion;        ///< [Pa]
-  double residual_friction_angle;  ///< [rad]
-  SofteningLaw law;
-  double slip;            ///< [m]
-  double dilation_limit;  ///< [-]
-};
-
 /// Equation: P4. Strength c = c_r + (c_p - c_r) w, tan phi likewise, with the accumulated plastic
 /// strain e: w = exp(-rate e) or max(0, 1 - rate e). Dilation ends below the density
 /// `loosest_density`.
@@ -58,23 +49,31 @@ struct Softening {
   }
 };
 
+/// Whether the strength of a model with the parameters below falls with the slip.
+template <class Soil>
+constexpr bool strength_falls(const Soil& soil) {
+  return soil.softening_slip > 0.0 && (soil.residual_cohesion != soil.cohesion ||
+                                       soil.residual_friction_angle != soil.friction_angle);
+}
+
 /// Equation: E31 for both strengths. A slip delta in simple shear is the plastic strain
 /// delta / (sqrt(3) band); the linear law has then reached the residual strength, the exponential
-/// one has lost 95 % of the difference.
-inline Softening prepare_softening(const CoulombStrength& peak, const SofteningInput& soil,
-                                   const MaterialSetting& setting) {
+/// one has lost 95 % of the difference. `soil`: a model with the parameters below, for which
+/// `coulomb_complaint` has no complaint.
+template <class Soil>
+Softening prepare_softening(const Soil& soil, const MaterialSetting& setting) {
   const double reduction = setting.strength_reduction;
+  const CoulombStrength peak = soil.strength();
   const CoulombStrength p = peak.reduced(reduction);
   const CoulombStrength r =
       CoulombStrength{soil.residual_cohesion, soil.residual_friction_angle, 0.0}.reduced(reduction);
-  const bool falls = soil.slip > 0.0 && (soil.residual_cohesion != peak.cohesion ||
-                                         soil.residual_friction_angle != peak.friction_angle);
+  const bool falls = strength_falls(soil);
   const bool ends = soil.dilation_limit < 1.0 && peak.dilation_angle > 0.0;
   const double per_strain = std::sqrt(3.0) * band_spacings * setting.spacing;
-  const bool linear = soil.law == SofteningLaw::linear;
+  const bool linear = soil.softening == SofteningLaw::linear;
   return {falls || ends,
           linear,
-          falls ? (linear ? 1.0 : 3.0) * per_strain / soil.slip : 0.0,
+          falls ? (linear ? 1.0 : 3.0) * per_strain / soil.softening_slip : 0.0,
           {p.cohesion, std::tan(p.friction_angle), std::tan(p.dilation_angle)},
           falls ? r.cohesion : p.cohesion,
           falls ? std::tan(r.friction_angle) : std::tan(p.friction_angle),
@@ -126,20 +125,21 @@ inline constexpr ParameterSpec dilation_limit_spec{"dilation_limit",
                                                    nullptr,
                                                    "volumetric strain at which dilation ends"};
 
-/// `first`: index of the parameter residual_cohesion, which the slip follows by three.
-inline std::optional<ParameterComplaint> softening_complaint(const CoulombStrength& peak,
-                                                             const SofteningInput& soil,
-                                                             std::size_t first) {
-  if (soil.residual_cohesion > peak.cohesion)
-    return ParameterComplaint{first, "it is above the cohesion. Try at most the cohesion."};
-  if (soil.residual_friction_angle > peak.friction_angle) {
-    return ParameterComplaint{first + 1,
+/// What is wrong with Coulomb's constants and their softening. Pre: the soil's parameters begin as
+/// E, nu, c, phi, psi, and the five above follow from index `residual` on.
+template <class Soil>
+std::optional<ParameterComplaint> coulomb_complaint(const Soil& soil, std::size_t residual) {
+  if (const auto wrong = dilation_complaint(soil.strength(), 4)) return wrong;
+  if (soil.residual_cohesion > soil.cohesion)
+    return ParameterComplaint{residual, "it is above the cohesion. Try at most the cohesion."};
+  if (soil.residual_friction_angle > soil.friction_angle) {
+    return ParameterComplaint{residual + 1,
                               "it is above the friction angle. Try at most the friction angle."};
   }
-  const bool falls =
-      soil.residual_cohesion < peak.cohesion || soil.residual_friction_angle < peak.friction_angle;
-  if (falls && !(soil.slip > 0.0)) {
-    return ParameterComplaint{first + 3,
+  const bool weaker =
+      soil.residual_cohesion < soil.cohesion || soil.residual_friction_angle < soil.friction_angle;
+  if (weaker && !(soil.softening_slip > 0.0)) {
+    return ParameterComplaint{residual + 3,
                               "a residual strength needs the slip after which it is reached. Try "
                               "\"0.2 m\"."};
   }

@@ -74,7 +74,10 @@ void check_reducible(const Scene& scene) {
 
 Criterion choose_criterion(const Scene& scene, const CriterionOptions& options) {
   Criterion criterion;
-  criterion.early_stop = options.early_stop;
+  // Soil that softens may come to rest and set off again.
+  const auto softens = [](const Material& material) { return material.model.softens(); };
+  criterion.early_stop =
+      options.early_stop && std::none_of(scene.materials.begin(), scene.materials.end(), softens);
   criterion.height = options.height ? *options.height : slope_height(scene);
   if (!(criterion.height > 0.5 * scene.spacing)) {
     refuse(scene,

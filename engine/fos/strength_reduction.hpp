@@ -20,7 +20,8 @@ struct CriterionOptions {
   std::optional<double> ramp{};  ///< time that the cut takes [s]; 0: at once; empty: 1.4 free falls
   std::optional<double> window{};  ///< [s]; empty: five free falls over the height
   std::string probe{};             ///< whose displacement is judged; empty: the scene's first probe
-  bool early_stop = true;          ///< false: a trial that stands runs to the end of the window
+  /// False: a trial that stands runs to the end of the window, as it does where a soil softens.
+  bool early_stop = true;
 };
 
 /// When a slope counts as failed: until `window` after the reduction the displacement exceeds

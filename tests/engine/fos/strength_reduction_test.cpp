@@ -106,6 +106,20 @@ TEST(CriterionTest, FollowsHeightAndGravity) {
   EXPECT_EQ(given.ramp, 0.0);
 }
 
+TEST(CriterionTest, SoilThatSoftensIsJudgedOverTheWholeWindow) {
+  Scene scene = coarse_slope();
+  EXPECT_TRUE(choose_criterion(scene, {}).early_stop);
+  SoilModel& soil = scene.materials.front().model;
+  soil.set("softening_slip", 0.1);
+  EXPECT_TRUE(choose_criterion(scene, {}).early_stop) << "no residual strength below the peak";
+  soil.set("residual_cohesion", 0.5 * soil.parameter("cohesion"));
+  EXPECT_FALSE(choose_criterion(scene, {}).early_stop);
+  // It may come to rest for a while: no trial of it ends for that.
+  StrengthReduction slope = settled_slope(scene);
+  ASSERT_TRUE(slope.measure_elastic({}));
+  EXPECT_EQ(slope.respond(1.05, {})->end, TrialEnd::window_over);
+}
+
 TEST(CriterionTest, SaysWhatASceneLacks) {
   Scene level = coarse_slope();
   level.bodies = {{.shape = Box{{0, 0, 0}, {45, 5, 0}}}};

@@ -44,6 +44,8 @@ void column_2d(CaseRun& run);
 void column_axisymmetric(CaseRun& run);
 void aluminium_bars(CaseRun& run);
 void slopes_fos(CaseRun& run);
+void circular_footing(CaseRun& run);
+void retrogression(CaseRun& run);
 extern const ErrorProblem slope_2d_problem;
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
@@ -101,6 +103,10 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
      "Collapse of a stack of aluminium bars against its experiment.", aluminium_bars,
      &aluminium_bars_problem},
     {"slopes_fos", "verification", "Factors of safety of three published slopes.", slopes_fos},
+    {"circular_footing", "verification", "Smooth circular footing pushed into heavy soil.",
+     circular_footing},
+    {"retrogression", "verification", "Slide after slide in a slope of softening clay.",
+     retrogression},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

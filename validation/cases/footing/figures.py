@@ -18,10 +18,11 @@ def draw(page, folder, figures):
         friction, spacing = rest.split("_dx_")
         with open(path, newline="", encoding="utf-8") as stream:
             rows = [[float(value) for value in row] for row in list(csv.reader(stream))[1:]]
-        ax = axes[0 if preset == "modern" else 1]
+        ax = axes[0 if preset.startswith("modern") else 1]
+        coulomb = ", Mohr-Coulomb" if preset.endswith("mohr_coulomb") else ""
         ax.plot([100 * row[0] for row in rows], [row[1] for row in rows], linewidth=1.0,
-                label=f"phi = {friction} deg, dx = {spacing} m")
-        ax.set_title(preset, fontsize=9)
+                label=f"phi = {friction} deg, dx = {spacing} m{coulomb}")
+        ax.set_title(preset.split("_")[0], fontsize=9)
     for ax in axes:
         ax.axhline(1.0, color="#999999", linewidth=0.8, linestyle="--")
         ax.axvspan(0.4, 0.5, color="#0072b2", alpha=0.1)

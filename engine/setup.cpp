@@ -99,6 +99,7 @@ void fill_particles(State& state, const Particles& soil) {
   std::vector<SoilAbove> above;
   if (scene.initial_stress == InitialStress::geostatic && soil.stress.empty())
     above = soil_above(scene, soil, state.threads);
+  state.start_is_geostatic = !above.empty();
   const Vec3 up = upward(scene);
   for (const ParticleGroup& group : groups) {
     const double k0 = state.material_constants[group.material].k0;

@@ -54,7 +54,9 @@ Impl& owned(const std::unique_ptr<Impl>& impl) {
 }  // namespace
 
 struct Simulation::Impl {
-  explicit Impl(State made) : state(std::move(made)), runner(state.scene.numerics.integrator) {}
+  explicit Impl(State made)
+      : state(std::move(made)),
+        runner(state.scene.numerics.integrator, state.kernels.corrects_forces()) {}
   /// From bodies or `particles`, at the start or where `snapshot` was taken.
   static std::unique_ptr<Impl> make(Scene scene, RunOptions options, const Particles* particles,
                                     const Snapshot* snapshot) {

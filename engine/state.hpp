@@ -31,6 +31,7 @@ struct State {
   ChosenKernels kernels;
   double smoothing_length = 0.0;
   double lattice_moment = 1.0;
+  bool start_is_geostatic = false;  ///< stress at the start, where no particle brings its own
 
   ParticleBuffers particles;
   ParticleBuffers ghosts;  ///< soil near the own that somebody else moves; neighbours only

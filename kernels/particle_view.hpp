@@ -43,9 +43,9 @@ inline constexpr double position_step = 0x1p-18;
 /// twice the distance no difference overflows.
 inline constexpr double position_reach = 0x1p29 * position_step;
 
-/// Moments with a smaller determinant are not inverted: a few stray neighbours in a line or plane.
-/// Edges (0.15 in 2D, 0.09 in 3D) and corners (0.03) of a lattice are: they must not take rotation
-/// for strain.
+/// Moments with a smaller determinant are led to the identity (`keep_invertible`): a few stray
+/// neighbours in a line or plane. Edges (0.15 in 2D, 0.09 in 3D) and corners (0.03 in 3D) of a
+/// lattice are not: they must not take rotation for strain.
 template <int Dim>
 inline constexpr double smallest_moment_determinant = Dim == 2 ? 0.1 : 0.01;
 
@@ -148,7 +148,7 @@ struct ParticleView {
   double* diffusivity;     ///< D of the stress diffusion [m2/s]
   const double* density_rate;
   const double* velocity_gradient[9];
-  const double* moment[6];
+  double* moment[6];  ///< kick-drift-kick turns it to the end of the step
   const double* acceleration[3];
   const double* diffusion_rate[6];
   const double* diffusion_slope;
@@ -210,19 +210,29 @@ struct CandidateView {
   double radius_squared;
 };
 
-/// Input and output of the wall sweep: velocity and stress of dummy particles from the soil near
-/// them. The records of the dummies come with the velocity of their wall; records and faces start
-/// on a cache line.
+/// What a wall sweep makes of the soil near dummies.
+enum class WallSums {
+  extrapolation,    ///< velocity and stress, where gradients are not corrected
+  gradient,         ///< G_w/sum_k W_wk
+  corrected_stress  ///< average of T
+};
+inline constexpr int wall_sums_count = 3;
+
+/// Input and output of the wall sweeps. The records of the dummies come with the velocity of their
+/// wall; records and faces start on a cache line.
 template <class Real>
 struct WallSweepView {
   const Real* records;
+  const Real* second;        ///< second lines; null: none
   NeighbourView neighbours;  ///< clusters of dummies, entries in the soil range
   SmoothingView<Real> smoothing;
   Real gravity[3];          ///< g times h [m2/s2]
   std::int64_t first_wall;  ///< index of the first dummy in `records`
   const Real* faces;        ///< dummies x wall_record_size, padding included
-  double* velocity[3];      ///< by dummy [m/s]
-  double* stress[6];        ///< by dummy [Pa]
+  double* velocity[3];      ///< by dummy [m/s]; extrapolation alone
+  /// By dummy: stress [Pa]; G_w/sum W in the order of the components of a 3 x 3 matrix, or T in
+  /// the order of `corrected_place`.
+  double* sums[10];
 };
 
 }  // namespace scarp::kernels

@@ -20,19 +20,36 @@ void reflect(double* vector, const Vec3& normal, double along) {
   for (std::size_t a = 0; a < 3; ++a) vector[a] -= 2.0 * along * normal[a];
 }
 
-void reflect_tensor(double* s, const Vec3& n) {
+/// R = I - 2 n n^T.
+Tensor<double> reflection(const Vec3& n) {
   Tensor<double> r;
   for (std::size_t a = 0; a < 3; ++a) {
     for (std::size_t b = 0; b < 3; ++b) r.m[a][b] = (a == b ? 1.0 : 0.0) - 2.0 * n[a] * n[b];
   }
+  return r;
+}
+
+void reflect_tensor(double* s, const Vec3& n) {
   const SymTensor<double> t =
-      rotated(SymTensor<double>{s[xx], s[yy], s[zz], s[xy], s[yz], s[zx]}, r);
+      rotated(SymTensor<double>{s[xx], s[yy], s[zz], s[xy], s[yz], s[zx]}, reflection(n));
   s[xx] = t.xx;
   s[yy] = t.yy;
   s[zz] = t.zz;
   s[xy] = t.xy;
   s[yz] = t.yz;
   s[zx] = t.zx;
+}
+
+/// A tensor of 2D that need not be symmetric, at the places of T.
+void reflect_corrected(double* s, const Vec3& n) {
+  Tensor<double> t{};
+  for (int a = 0; a < 2; ++a) {
+    for (int b = 0; b < 2; ++b) t.m[a][b] = s[corrected_place<2>[a][b]];
+  }
+  t = rotated(t, reflection(n));
+  for (int a = 0; a < 2; ++a) {
+    for (int b = 0; b < 2; ++b) s[corrected_place<2>[a][b]] = t.m[a][b];
+  }
 }
 
 /// Stress of the soil between a particle and its image: `weight` along the normal, K0 of it across.
@@ -124,45 +141,91 @@ bool MirrorImages::is_close(std::int64_t slot, std::int64_t count) const {
                                     [](std::uint8_t close) { return close != 0; });
 }
 
-void MirrorImages::pack(Records& records, double inverse_smoothing_length,
-                        const std::vector<Vec3>& wall_offset,
-                        const std::vector<Vec3>& wall_velocity, const Vec3& gravity) const {
+std::int64_t MirrorImages::source_record(const Records& records, std::size_t image) const {
+  const std::int64_t source = images_[image].source;
+  return source >= 0 ? source : records.layout()[Role::image].first - 1 - source;
+}
+
+/// Copies the record of the source, reflects its position and velocity, and returns the weight of
+/// the soil between. That is zero on planes along gravity, which stay exact planes of symmetry.
+double MirrorImages::pack_motion(Records& records, const Mirrors& mirrors, std::size_t g) const {
+  const Image& image = images_[g];
+  const double* from = records.record(source_record(records, g));
+  double* to = records.record(records.layout()[Role::image].first + static_cast<std::int64_t>(g));
+  std::copy_n(from, record_size, to);
+  double distance = 0.0, velocity = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double plane =
+        (image.origin[a] + mirrors.wall_offset[image.wall][a]) * mirrors.inverse_smoothing_length;
+    distance += (from[record_x + a] - plane) * image.normal[a];
+    velocity +=
+        (from[record_velocity_x + a] - mirrors.wall_velocity[image.wall][a]) * image.normal[a];
+  }
+  reflect(to + record_x, image.normal, distance);
+  reflect(to + record_velocity_x, image.normal, velocity);
+  return 2.0 * distance / mirrors.inverse_smoothing_length * from[record_density] *
+         dot(mirrors.gravity, image.normal);
+}
+
+void MirrorImages::pack(Records& records, const Mirrors& mirrors) const {
   const std::int64_t first = records.layout()[Role::image].first;
   for (std::size_t g = 0; g < images_.size(); ++g) {
     const Image& image = images_[g];
-    const std::int64_t source = image.source >= 0 ? image.source : first - 1 - image.source;
-    const double* from = records.record(source);
-    double* to = records.record(first + static_cast<std::int64_t>(g));
-    std::copy_n(from, record_size, to);
-    double distance = 0.0, velocity = 0.0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double plane =
-          (image.origin[a] + wall_offset[image.wall][a]) * inverse_smoothing_length;
-      distance += (from[record_x + a] - plane) * image.normal[a];
-      velocity += (from[record_velocity_x + a] - wall_velocity[image.wall][a]) * image.normal[a];
-    }
-    reflect(to + record_x, image.normal, distance);
-    reflect(to + record_velocity_x, image.normal, velocity);
-    reflect_tensor(to + record_stress, image.normal);
-    // Zero on planes along gravity, which stay exact planes of symmetry.
-    const double weight = 2.0 * distance / inverse_smoothing_length * from[record_density] *
-                          dot(gravity, image.normal);
-    add_weight(to + record_stress, image.normal, weight, image.lateral);
+    const double weight = pack_motion(records, mirrors, g);
+    double* stress = records.record(first + static_cast<std::int64_t>(g)) + record_stress;
+    reflect_tensor(stress, image.normal);
+    add_weight(stress, image.normal, weight, image.lateral);
   }
 }
 
-void MirrorImages::pack_second(Records& records, kernels::TermSet terms) const {
+void MirrorImages::pack_corrected(Records& records, const Mirrors& mirrors,
+                                  const ParticleBuffers& soil) const {
   const std::int64_t first = records.layout()[Role::image].first;
+  const int dimension = soil.dimension();
+  const double* moment[6];
+  soil.components(Field::moment, moment);
+  std::vector<SymTensor<double>> inverse(images_.size());  // B of each image
   for (std::size_t g = 0; g < images_.size(); ++g) {
     const Image& image = images_[g];
-    const std::int64_t source = image.source >= 0 ? image.source : first - 1 - image.source;
+    const double weight = pack_motion(records, mirrors, g);
+    const Tensor<double> mirror = reflection(image.normal);
+    const SymTensor<double> of_source = image.source >= 0
+                                            ? inverse_moment(moment, image.source)
+                                            : inverse[static_cast<std::size_t>(-1 - image.source)];
+    inverse[g] = rotated(of_source, mirror);
+    std::array<double, 6> between{};
+    add_weight(between.data(), image.normal, weight, image.lateral);
+    const Tensor<double> added =
+        corrected_stress(SymTensor<double>{between[xx], between[yy], between[zz], between[xy],
+                                           between[yz], between[zx]},
+                         inverse[g]);
+    Tensor<double> t =
+        rotated(records.corrected_stress(source_record(records, g), dimension), mirror);
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) t.m[a][b] += added.m[a][b];
+    }
+    records.put_corrected_stress(first + static_cast<std::int64_t>(g), dimension, t);
+  }
+}
+
+void MirrorImages::pack_second(Records& records, kernels::TermSet terms, int dimension) const {
+  const std::int64_t first = records.layout()[Role::image].first;
+  const bool corrected = dimension == 2 && terms.has(Term::force_correction);
+  for (std::size_t g = 0; g < images_.size(); ++g) {
+    const std::int64_t source = source_record(records, g);
     const std::int64_t target = first + static_cast<std::int64_t>(g);
     if (records.mark(source) == 0 && records.mark(target) == 0) continue;
     records.mark(target) = records.mark(source);
-    std::copy_n(records.second(source), second_record_size, records.second(target));
     for (const TermRow& row : term_rows) {
-      if (terms.has(row.term) && row.second_slots > 0 && row.second_rank == SecondRank::tensor)
-        reflect_tensor(records.second(target) + row.first_second, image.normal);
+      if (!terms.has(row.term) || row.second_line == nullptr) continue;
+      double* to = records.second(target) + row.first_second;
+      std::copy_n(records.second(source) + row.first_second, row.second_slots, to);
+      if (row.second_rank != SecondRank::tensor) continue;
+      if (corrected) {
+        reflect_corrected(to, images_[g].normal);
+      } else {
+        reflect_tensor(to, images_[g].normal);
+      }
     }
   }
 }

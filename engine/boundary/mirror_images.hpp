@@ -40,14 +40,25 @@ class MirrorImages {
   /// Whether any of these slots was within `close` of a free-slip face at the last selection.
   bool is_close(std::int64_t slot, std::int64_t count) const;
 
+  /// Where the mirrors stand now, and what weighs on the images.
+  struct Mirrors {
+    double inverse_smoothing_length;
+    const std::vector<Vec3>& wall_offset;
+    const std::vector<Vec3>& wall_velocity;
+    const Vec3& gravity;
+  };
   /// Records of the images from those of their sources.
-  void pack(Records& records, double inverse_smoothing_length, const std::vector<Vec3>& wall_offset,
-            const std::vector<Vec3>& wall_velocity, const Vec3& gravity) const;
+  void pack(Records& records, const Mirrors& mirrors) const;
+  /// ... that hold T = sigma B: (R sigma R + weight)(R B R). Equation: B3, K2.
+  void pack_corrected(Records& records, const Mirrors& mirrors, const ParticleBuffers& soil) const;
   /// Second lines of the images from those of their sources.
-  void pack_second(Records& records, kernels::TermSet terms) const;
+  void pack_second(Records& records, kernels::TermSet terms, int dimension) const;
   std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
 
  private:
+  std::int64_t source_record(const Records& records, std::size_t image) const;
+  double pack_motion(Records& records, const Mirrors& mirrors, std::size_t image) const;
+
   struct Image {
     std::int64_t source;  ///< soil slot, or -1 - image
     std::size_t wall;

@@ -16,6 +16,13 @@ WallMaterial wall_material(const State& state) {
           state.scaling.inverse_smoothing_length};
 }
 
+kernels::WallSums sums_of(const State& state) {
+  if (!state.kernels.corrects_forces()) return kernels::WallSums::extrapolation;
+  return state.sweep.records.stress_form() == StressForm::corrected
+             ? kernels::WallSums::corrected_stress
+             : kernels::WallSums::gradient;
+}
+
 }  // namespace
 
 void move_walls(State& state, double dt) {
@@ -32,17 +39,17 @@ void move_walls(State& state, double dt) {
 void extrapolate_walls(State& state) {
   if (state.boundary.walls.count() == 0) return;
   kernels::WallSweepView<double> view{};
-  kernels::PairSweepView<double> records{};
-  state.sweep.records.fill(records, false);
-  view.records = records.records;
+  view.records = state.sweep.records.records();
+  view.second = state.sweep.records.second_lines();
   view.first_wall = state.sweep.records.layout()[Role::dummy].first;
   view.neighbours = state.neighbours.wall_lists.view();
   view.smoothing = state.sweep.constants.smoothing;
   for (std::size_t a = 0; a < 3; ++a)
     view.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
-  state.boundary.walls.extrapolate(state.threads, *state.kernels.table, state.scene.dimension,
-                                   state.neighbours.wall_lists, view, wall_material(state),
-                                   state.boundary.velocity, state.sweep.records);
+  state.boundary.walls.take_sums(sums_of(state), state.threads, *state.kernels.table,
+                                 state.scene.dimension, state.neighbours.wall_lists, view,
+                                 wall_material(state), state.boundary.velocity,
+                                 state.sweep.records);
 }
 
 }  // namespace scarp

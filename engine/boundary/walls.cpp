@@ -6,6 +6,8 @@
 #include <iterator>
 
 #include "engine/parallel.hpp"
+#include "kernels/pair/force_correction.hpp"
+#include "kernels/pair/wall_gradient.hpp"
 
 namespace scarp {
 
@@ -28,7 +30,7 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     for (std::size_t a = 0; a < 3; ++a) components[a].assign(static_cast<std::size_t>(slots_), 0.0);
   }
   faces_.assign(static_cast<std::size_t>(slots_) * wall_record_size, 0.0);
-  for (auto& component : stress_) component.assign(static_cast<std::size_t>(slots_), 0.0);
+  for (auto& component : sums_) component.assign(static_cast<std::size_t>(slots_), 0.0);
   std::vector<std::size_t> place(dummies.beside_smooth.empty() ? 0 : dummies.wall.size());
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t source = kept[static_cast<std::size_t>(grid.order()[k])];
@@ -100,38 +102,61 @@ void Walls::pack(Records& records, std::int64_t dummy, const WallMaterial& mater
   r[record_sound_speed] = material.sound_speed;
 }
 
-void Walls::extrapolate(int threads, const KernelTable& kernels, int dimension,
-                        const NeighbourLists& lists, const WallSweepView<double>& base,
-                        const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
-                        Records& records) {
+void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int dimension) const {
+  const auto k = static_cast<std::size_t>(dummy);
+  double* r = records.record(Role::dummy, dummy);
+  const auto size = static_cast<std::size_t>(dimension);
+  if (what == WallSums::extrapolation) {
+    for (std::size_t a = 0; a < size; ++a) r[record_velocity_x + a] = velocity_[a][k];
+    for (std::size_t c = 0; c < (size == 2 ? 4 : 6); ++c) r[record_stress + c] = sums_[c][k];
+    return;
+  }
+  Tensor<double> t{};
+  for (int a = 0; a < dimension; ++a) {
+    for (int b = 0; b < dimension; ++b) {
+      const int sum = what == WallSums::gradient ? 3 * a + b : corrected_place_of(dimension, a, b);
+      t.m[a][b] = sums_[sum][k];
+    }
+  }
+  if (what == WallSums::corrected_stress) {
+    records.put_corrected_stress(records.layout()[Role::dummy].first + dummy, dimension, t);
+    return;
+  }
+  for (int a = 0; a < dimension; ++a) {
+    for (int b = 0; b < dimension; ++b) {
+      const int place =
+          dimension == 2 ? wall_gradient_place<2>[a][b] : wall_gradient_place<3>[a][b];
+      r[record_density + place] = r[record_volume] * t.m[a][b];
+    }
+  }
+}
+
+void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, int dimension,
+                      const NeighbourLists& lists, const WallSweepView<double>& base,
+                      const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
+                      Records& records) {
   WallSweepView<double> view = base;
   view.faces = faces_.data();
   for (std::size_t a = 0; a < 3; ++a) view.velocity[a] = velocity_[a].data();
-  for (std::size_t c = 0; c < 6; ++c) view.stress[c] = stress_[c].data();
-  const auto sweep = kernels.wall_sweep[static_cast<std::size_t>(dimension - 2)];
+  for (std::size_t c = 0; c < std::size(sums_); ++c) view.sums[c] = sums_[c].data();
+  const auto sweep =
+      kernels.wall_sweep[static_cast<std::size_t>(what)][static_cast<std::size_t>(dimension - 2)];
   const auto active = lists.active_clusters();
   const std::int64_t size = kernels.cluster_size;
-  const std::size_t components = dimension == 2 ? 4 : 6;
   const auto run = [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t n = begin; n < end; ++n) {
       const std::int64_t cluster = active[static_cast<std::size_t>(n)];
       const std::int64_t first = cluster * size, last = std::min(first + size, count());
       for (std::int64_t k = first; k < last; ++k) pack(records, k, material, wall_velocity);
       sweep(view, cluster, cluster + 1);
-      for (std::int64_t k = first; k < last; ++k) {
-        const auto dummy = static_cast<std::size_t>(k);
-        double* r = records.record(Role::dummy, k);
-        for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a)
-          r[record_velocity_x + a] = velocity_[a][dummy];
-        for (std::size_t c = 0; c < components; ++c) r[record_stress + c] = stress_[c][dummy];
-      }
+      for (std::int64_t k = first; k < last; ++k) put_sums(records, k, what, dimension);
     }
   };
   parallel_chunks(threads, static_cast<std::int64_t>(active.size()), 64, run);
 }
 
 std::size_t Walls::bytes() const {
-  return static_cast<std::size_t>(slots_) * (12 + wall_record_size) * sizeof(double) +
+  return static_cast<std::size_t>(slots_) * (16 + wall_record_size) * sizeof(double) +
          3 * built_position_[0].size() * sizeof(double) + wall_.size() * sizeof(std::size_t);
 }
 

@@ -54,24 +54,25 @@ class Walls {
 
   /// Which of the dummies in corners with free-slip faces stand now; when lists are built.
   void choose_standing(const Scene& scene, const WallSurface& surface, const WallPlacement& walls);
-  /// Records of the dummies that have soil in reach: position, velocity (B1) and stress (B2). No
-  /// list names the others.
-  void extrapolate(int threads, const kernels::KernelTable& kernels, int dimension,
-                   const NeighbourLists& lists, const kernels::WallSweepView<double>& base,
-                   const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
-                   Records& records);
+  /// Records of the dummies that have soil in reach: position, velocity, and what the wall sweep
+  /// sums of the soil. No list names the others. Equation: B1, B2, B5.
+  void take_sums(kernels::WallSums what, int threads, const kernels::KernelTable& kernels,
+                 int dimension, const NeighbourLists& lists,
+                 const kernels::WallSweepView<double>& base, const WallMaterial& material,
+                 const std::vector<Vec3>& wall_velocity, Records& records);
   std::size_t bytes() const;
 
  private:
   void remember_built();
   void pack(Records& records, std::int64_t dummy, const WallMaterial& material,
             const std::vector<Vec3>& wall_velocity) const;
+  void put_sums(Records& records, std::int64_t dummy, kernels::WallSums what, int dimension) const;
 
   std::int64_t slots_ = 0;
   AlignedVector<double> position_[3];
   AlignedVector<double> built_position_[3];  ///< empty until something moves
   AlignedVector<double> velocity_[3];
-  AlignedVector<double> stress_[6];
+  AlignedVector<double> sums_[10];
   AlignedVector<double> faces_;  ///< kernels::WallSlot
   std::vector<std::size_t> wall_;
   std::vector<SmoothCorner> beside_smooth_;

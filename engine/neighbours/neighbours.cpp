@@ -123,10 +123,18 @@ void build_lists(State& state) {
   state.neighbours.valid = true;
 }
 
-void pack_soil(State& state) {
-  Neighbours& neighbours = state.neighbours;
-  neighbours.moved = std::sqrt(state.sweep.records.pack(state.threads, Role::owned, state.particles,
-                                                        state.scaling, state.kernels.slots));
+namespace {
+
+void pack_as(State& state, StressForm form) {
+  state.neighbours.moved = std::sqrt(state.sweep.records.pack(
+      state.threads, Role::owned, state.particles, state.scaling, state.kernels.slots, form));
+}
+
+}  // namespace
+
+void pack_soil(State& state) { pack_as(state, StressForm::plain); }
+void pack_forces(State& state) {
+  pack_as(state, state.kernels.corrects_forces() ? StressForm::corrected : StressForm::plain);
 }
 
 bool lists_are_outdated(const State& state) {
@@ -151,14 +159,20 @@ void rebuild_lists(State& state) {
   ++neighbours.rebuilds;
   build_lists(state);
   neighbours.due = false;
-  pack_soil(state);
+  pack_as(state, state.sweep.records.stress_form());
 }
 
 void pack_images(State& state) {
-  state.sweep.records.pack(state.threads, Role::ghost, state.ghosts, state.scaling,
-                           state.kernels.slots);
-  state.boundary.images.pack(state.sweep.records, state.scaling.inverse_smoothing_length,
-                             state.boundary.offset, state.boundary.velocity, state.scene.gravity);
+  Records& records = state.sweep.records;
+  records.pack(state.threads, Role::ghost, state.ghosts, state.scaling, state.kernels.slots,
+               records.stress_form());
+  const MirrorImages::Mirrors mirrors{state.scaling.inverse_smoothing_length, state.boundary.offset,
+                                      state.boundary.velocity, state.scene.gravity};
+  if (records.stress_form() == StressForm::corrected) {
+    state.boundary.images.pack_corrected(records, mirrors, state.particles);
+  } else {
+    state.boundary.images.pack(records, mirrors);
+  }
 }
 
 }  // namespace scarp

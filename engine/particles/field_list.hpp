@@ -132,7 +132,7 @@ inline constexpr std::array<FieldRow, static_cast<std::size_t>(Field::count)> fi
        inside, "density rate"},
       {Field::velocity_gradient, "velocity_gradient", "1/s", tensor, rate, zero, kept, own,
        unchecked, inside, "velocity gradient as the sweep sums it"},
-      {Field::moment, "moment", "-", symmetric, rate, zero, kept, own, unchecked, inside,
+      {Field::moment, "moment", "-", symmetric, state, zero, kept, ghost, unchecked, inside,
        "moment of the gradient correction"},
       {Field::approach_rate, "approach_rate", "m/s", scalar, step_end, zero, kept, own, each_step,
        inside, "largest rate of approach of a neighbour"},

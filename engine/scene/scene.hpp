@@ -69,7 +69,7 @@ struct Numerics {
   double diffusion_shear_gate = 20.0;  ///< diffusivity per h^2 |shear rate| [-]
   Integrator integrator = Integrator::kick_drift_kick;
   int verlet_restart_interval = 40;         ///< M of Eq. 29 [steps]
-  double cfl = 1.0;                         ///< N_CFL of Eq. 30 [-]
+  double cfl = 0.8;                         ///< N_CFL of Eq. 30 [-]
   double skin = 0.15;                       ///< margin of the neighbour lists in h [-]
   double density_minimum = 0.5;             ///< bound on density over reference density [-]
   double density_maximum = 1.2;             ///< bound on density over reference density [-]

@@ -12,6 +12,7 @@
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
 #include "engine/watch/watch.hpp"
+#include "kernels/pair/force_correction.hpp"
 
 namespace scarp {
 namespace {
@@ -153,6 +154,30 @@ void enter_stage(State& state) {
   state.clock.restart = true;
   state.clock.growth_base = 0.0;
   state.report.stage_time = 0.0;
+}
+
+void balance_start(State& state) {
+  if (state.report.step > 0 || !state.start_is_geostatic || !state.kernels.corrects_forces())
+    return;
+  ParticleBuffers& p = state.particles;
+  double *stress[6], *moment[6];
+  p.components(Field::stress, stress);
+  p.components(Field::moment, moment);
+  const bool flat = state.scene.dimension == 2;
+  const auto read = [](double* const(&field)[6], std::int64_t k) {
+    const auto value = [&](int c) { return field[c] != nullptr ? field[c][k] : 0.0; };
+    return kernels::SymTensor<double>{value(0), value(1), value(2), value(3), value(4), value(5)};
+  };
+  for (const ParticleGroup& group : p.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      kernels::SymTensor<double> m = read(moment, k);
+      if (flat) m.zz = 1.0;
+      const kernels::SymTensor<double> s =
+          symmetric_part(kernels::corrected_stress(read(stress, k), m));
+      const double all[6]{s.xx, s.yy, s.zz, s.xy, s.yz, s.zx};
+      for (int c = 0; c < (flat ? 4 : 6); ++c) stress[c][k] = all[c];
+    }
+  }
 }
 
 void end_step(State& state) {

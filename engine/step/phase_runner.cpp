@@ -14,8 +14,8 @@
 
 namespace scarp {
 
-PhaseRunner::PhaseRunner(Integrator integrator)
-    : phases_(phases_of(integrator)),
+PhaseRunner::PhaseRunner(Integrator integrator, bool corrects_forces)
+    : phases_(phases_of(integrator, corrects_forces)),
       start_seconds_(phases_.stage_start.size()),
       step_seconds_(phases_.step.size()) {}
 

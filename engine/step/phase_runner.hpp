@@ -13,7 +13,7 @@ namespace scarp {
 
 class PhaseRunner {
  public:
-  explicit PhaseRunner(Integrator integrator);
+  PhaseRunner(Integrator integrator, bool corrects_forces);
 
   /// One step, of the next stage where one has ended. What phases and hooks throw leaves it.
   void step(State& state);

@@ -12,6 +12,6 @@ namespace scarp {
 struct StepPhases {
   PhaseList stage_start, step, renewal;
 };
-StepPhases phases_of(Integrator integrator);
+StepPhases phases_of(Integrator integrator, bool corrects_forces);
 
 }  // namespace scarp

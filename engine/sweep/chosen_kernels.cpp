@@ -60,9 +60,10 @@ ChosenKernels choose_kernels(const Scene& scene, bool yields, const kernels::Ker
   };
   const auto sweep = [&](kernels::TermSet terms) {
     return ChosenSweep{kernel(terms),
-                       kernel(terms.without(kernels::second_terms(kernels::PairTerms{})))};
+                       kernel(terms.without(kernels::marked_terms(kernels::PairTerms{})))};
   };
-  if (scene.numerics.integrator == Integrator::verlet) chosen.fused = sweep(chosen.terms);
+  if (scene.numerics.integrator == Integrator::verlet && !chosen.corrects_forces())
+    chosen.fused = sweep(chosen.terms);
   chosen.gradient = sweep(kernels::gradient_terms(chosen.terms));
   chosen.force = sweep(kernels::force_terms(chosen.terms));
   return chosen;
@@ -72,6 +73,7 @@ std::vector<Field> fields_of(kernels::TermSet terms) {
   std::vector<Field> fields;
   const auto add = [&fields](std::span<const FieldUse> uses) {
     for (const FieldUse& use : uses) {
+      if (use.if_stored) continue;
       const Field field = field_of(use);
       if (std::ranges::count(fields_of_every_run, field) == 0 &&
           std::ranges::count(fields, field) == 0)

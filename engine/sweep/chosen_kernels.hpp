@@ -35,6 +35,9 @@ struct ChosenKernels {
   ChosenSweep fused;       ///< Verlet's; none: the two halves one after the other
   ChosenSweep gradient;    ///< of the velocity
   ChosenSweep force;       ///< also of wall reactions and energies
+
+  /// Whether gradients and forces are corrected; the records then hold one or the other.
+  bool corrects_forces() const { return terms.has(kernels::Term::force_correction); }
 };
 
 /// What the numerics ask of the pair terms; `yields`: any material does.

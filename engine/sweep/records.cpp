@@ -6,10 +6,20 @@
 #include <cmath>
 
 #include "engine/parallel.hpp"
+#include "kernels/pair/force_correction.hpp"
 
 namespace scarp {
 
 using namespace kernels;
+
+namespace {
+
+SymTensor<double> tensor_of(const double* const (&fields)[6], std::int64_t k) {
+  const auto value = [&](int c) { return fields[c] != nullptr ? fields[c][k] : 0.0; };
+  return {value(xx), value(yy), value(zz), value(xy), value(yz), value(zx)};
+}
+
+}  // namespace
 
 Records::Records(std::int64_t owned_slots, std::int64_t dummy_slots) {
   layout_.resize(Role::owned, owned_slots);
@@ -27,28 +37,36 @@ void Records::resize(std::int64_t ghosts, std::int64_t images) {
     record(k)[record_x] = far_away;
     record(k)[record_density] = 1.0;
   }
-  if (has_second()) {
+  if (!second_.empty()) {
     take_second();
     std::fill(second_.begin() + kept * second_record_size, second_.end(), 0.0);
+  }
+  if (has_marked()) {
+    take_marked();
     std::fill(marked_.begin() + kept, marked_.end(), std::uint8_t{0});
   }
 }
 
 double Records::pack(int threads, Role role, const ParticleBuffers& particles,
-                     const RecordScaling& scaling, SlotSet read) {
+                     const RecordScaling& scaling, SlotSet read, StressForm form) {
   const int dimension = particles.dimension();
-  const double *position[3], *velocity[3], *built[3], *stress[6];
+  const double *position[3], *velocity[3], *built[3], *stress[6], *moment[6];
   particles.components(Field::position, position);
   particles.components(Field::velocity, velocity);
   particles.components(Field::build_position, built);
   particles.components(Field::stress, stress);
+  particles.components(Field::moment, moment);
+  if (form == StressForm::corrected && dimension == 3) take_second();
+  form_ = form;
   const double* density = particles.component(Field::density);
-  const double* diffusivity =
-      read.has(record_diffusivity) ? particles.component(Field::diffusivity) : nullptr;
+  const double* diffusivity = read.has(record_diffusivity) && form == StressForm::plain
+                                  ? particles.component(Field::diffusivity)
+                                  : nullptr;
   const bool sound_speed = read.has(record_sound_speed);
   const double scale = scaling.inverse_smoothing_length;
   const bool moves = built[0] != nullptr;
-  double* const first = record(role, 0);
+  const std::int64_t first_record = layout_[role].first;
+  double* const first = record(first_record);
   double largest = 0.0;
   for (const ParticleGroup& group : particles.groups()) {
     const double volume_mass = group.mass * scaling.gradient_factor;
@@ -69,6 +87,12 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
         r[record_volume] = volume_mass * inverse_density;
         r[record_density] = density[k];
         if (sound_speed) r[record_sound_speed] = std::sqrt(modulus * inverse_density);
+        if (form == StressForm::corrected) {
+          put_corrected_stress(
+              first_record + k, dimension,
+              kernels::corrected_stress(tensor_of(stress, k), inverse_moment(moment, k)));
+          continue;
+        }
         for (int c = 0; c < (dimension == 2 ? 4 : 6); ++c) r[record_stress + c] = stress[c][k];
         if (diffusivity != nullptr) r[record_diffusivity] = diffusivity[k] * scale;
       }
@@ -84,15 +108,48 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
 }
 
 void Records::take_second() {
-  const auto total = static_cast<std::size_t>(layout_.records());
-  second_.resize(total * second_record_size, 0.0);
-  marked_.resize(total, 0);
+  second_.resize(static_cast<std::size_t>(layout_.records()) * second_record_size, 0.0);
+}
+void Records::take_marked() {
+  take_second();
+  marked_.resize(static_cast<std::size_t>(layout_.records()), 0);
 }
 
-void Records::fill(PairSweepView<double>& view, bool with_second) const {
+SymTensor<double> inverse_moment(const double* const (&moment)[6], std::int64_t k) {
+  SymTensor<double> m = tensor_of(moment, k);
+  if (moment[yz] == nullptr) m.zz = 1.0;  // 2D
+  return inverse_of(m);
+}
+
+double* Records::corrected_value(std::int64_t index, int place) {
+  return place < 8 ? record(index) + record_stress + place
+                   : second(index) + corrected_second + place - 8;
+}
+void Records::put_corrected_stress(std::int64_t index, int dimension, const Tensor<double>& t) {
+  for (int a = 0; a < dimension; ++a) {
+    for (int b = 0; b < dimension; ++b)
+      *corrected_value(index, corrected_place_of(dimension, a, b)) = t.m[a][b];
+  }
+}
+Tensor<double> Records::corrected_stress(std::int64_t index, int dimension) const {
+  Tensor<double> t{};
+  for (int a = 0; a < dimension; ++a) {
+    for (int b = 0; b < dimension; ++b) {
+      const int place = corrected_place_of(dimension, a, b);
+      t.m[a][b] =
+          place < 8
+              ? records_[static_cast<std::size_t>(index * record_size + record_stress + place)]
+              : second_[static_cast<std::size_t>(index * second_record_size + corrected_second +
+                                                 place - 8)];
+    }
+  }
+  return t;
+}
+
+void Records::fill(PairSweepView<double>& view, bool with_marks) const {
   view.records = records_.data();
-  view.second = with_second ? second_.data() : nullptr;
-  view.marked = with_second ? marked_.data() : nullptr;
+  view.second = with_marks || form_ == StressForm::corrected ? second_lines() : nullptr;
+  view.marked = with_marks ? marked_.data() : nullptr;
 }
 
 std::size_t Records::bytes() const {

@@ -10,6 +10,7 @@
 #include "engine/particles/record_layout.hpp"
 #include "kernels/pair/term.hpp"
 #include "kernels/particle_view.hpp"
+#include "kernels/tensor.hpp"
 
 namespace scarp {
 
@@ -20,8 +21,15 @@ struct RecordScaling {
   std::vector<double> wave_modulus;  ///< by material, K + 4G/3 [Pa]
 };
 
+/// What the stress slots of the soil's records hold: the stress, or T = sigma B, which the force is
+/// summed of where gradients are corrected (K2).
+enum class StressForm { plain, corrected };
+
 /// A position no particle is near: b = max(2-q, 0) is 0 and every product stays finite.
 inline constexpr double far_away = 1e8;
+
+/// B of particle k from the components of its moment.
+kernels::SymTensor<double> inverse_moment(const double* const (&moment)[6], std::int64_t k);
 
 class Records {
  public:
@@ -35,30 +43,42 @@ class Records {
 
   /// Writes what `read` names of the records of soil, owned or ghosts, and returns the largest
   /// squared displacement since the lists were built [m2] (0 without build positions). Position,
-  /// volume, velocity, density and stress are always written: walls and images read them.
+  /// volume, velocity, density and stress are always written: walls and images read them. In 3D
+  /// part of a corrected stress stands in the second line.
   double pack(int threads, Role role, const ParticleBuffers& particles,
-              const RecordScaling& scaling, kernels::SlotSet read);
-  /// Room for the second lines, all zero.
-  void take_second();
+              const RecordScaling& scaling, kernels::SlotSet read, StressForm form);
+  /// How the soil was packed last.
+  StressForm stress_form() const { return form_; }
+  /// T of a record, and another one into it.
+  kernels::Tensor<double> corrected_stress(std::int64_t index, int dimension) const;
+  void put_corrected_stress(std::int64_t index, int dimension, const kernels::Tensor<double>& t);
+  /// Room for second lines with marks, all zero.
+  void take_marked();
 
   double* record(Role role, std::int64_t slot) { return record(layout_[role].first + slot); }
   double* record(std::int64_t index) { return records_.data() + index * kernels::record_size; }
-  /// Second line of a record, and whether it is not zero. Pre: has_second().
+  /// Second line of a record, and whether it is marked as not zero. Pre: has_marked().
   double* second(std::int64_t index) {
     return second_.data() + index * kernels::second_record_size;
   }
   std::uint8_t& mark(std::int64_t index) { return marked_[static_cast<std::size_t>(index)]; }
-  bool has_second() const { return !second_.empty(); }
+  bool has_marked() const { return !marked_.empty(); }
   std::size_t bytes() const;
 
-  /// The record part of a sweep's view.
-  void fill(kernels::PairSweepView<double>& view, bool with_second) const;
+  /// The record part of a sweep's view; without marks the terms that need them add nothing.
+  void fill(kernels::PairSweepView<double>& view, bool with_marks) const;
+  const double* records() const { return records_.data(); }
+  const double* second_lines() const { return second_.empty() ? nullptr : second_.data(); }
 
  private:
+  void take_second();
+  double* corrected_value(std::int64_t index, int place);
+
   RecordLayout layout_;
   AlignedVector<double> records_;
   AlignedVector<double> second_;
   std::vector<std::uint8_t> marked_;
+  StressForm form_ = StressForm::plain;
 };
 
 }  // namespace scarp

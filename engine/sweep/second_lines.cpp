@@ -23,7 +23,7 @@ struct Source {
 std::vector<Source> sources(const ParticleBuffers& particles, kernels::TermSet terms) {
   std::vector<Source> all;
   for (const TermRow& row : kernels::term_rows) {
-    if (!terms.has(row.term) || row.second_slots == 0) continue;
+    if (!terms.has(row.term) || row.second_line == nullptr) continue;
     Source source{&row, {}};
     for (const FieldUse& use : row.reads_fields) {
       for (int c = 0; c < use.components; ++c)
@@ -68,7 +68,7 @@ bool pack_second_lines(int threads, const SecondSources& soil, const ChosenKerne
     return source.row->second_line(chosen.settings, dimension, source.fields.data(), k,
                                    line + source.row->first_second);
   };
-  if (!records.has_second()) {
+  if (!records.has_marked()) {
     each_role([&](Role, const ParticleBuffers& particles) {
       const std::vector<Source> all = sources(particles, chosen.terms);
       if (all.empty()) return;
@@ -79,7 +79,7 @@ bool pack_second_lines(int threads, const SecondSources& soil, const ChosenKerne
       });
     });
     if (!any) return false;
-    records.take_second();
+    records.take_marked();
   }
   any = false;
   each_role([&](Role role, const ParticleBuffers& particles) {

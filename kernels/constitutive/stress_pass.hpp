@@ -11,25 +11,16 @@
 
 namespace scarp::kernels {
 
-/// L M^-1 where det M allows, else L. Equation: K1. 3D form; 2D sets the third row and column to
-/// (0, 0, 1).
-template <int Dim, class T>
+/// L M^-1. Equation: K1. 2D sets the third row and column of M to (0, 0, 1).
+template <class T>
 SCARP_INLINE Tensor<T> corrected_gradient(const Tensor<T>& l, const SymTensor<T>& m) {
-  const T cxx = m.yy * m.zz - m.yz * m.yz, cxy = m.zx * m.yz - m.xy * m.zz,
-          czx = m.xy * m.yz - m.zx * m.yy;
-  const T determinant = m.xx * cxx + m.xy * cxy + m.zx * czx;
-  const auto usable = determinant >= T(smallest_moment_determinant<Dim>);
-  const T inverse_determinant = T(1.0) / choose(usable, determinant, T(1.0));
-  const SymTensor<T> i =
-      inverse_determinant * SymTensor<T>{cxx, m.xx * m.zz - m.zx * m.zx, m.xx * m.yy - m.xy * m.xy,
-                                         cxy, m.xy * m.zx - m.xx * m.yz, czx};
+  const SymTensor<T> i = inverse_of(m);
   const T inverse[3][3] = {{i.xx, i.xy, i.zx}, {i.xy, i.yy, i.yz}, {i.zx, i.yz, i.zz}};
   Tensor<T> result;
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) {
-      const T sum =
+      result.m[a][b] =
           l.m[a][0] * inverse[0][b] + l.m[a][1] * inverse[1][b] + l.m[a][2] * inverse[2][b];
-      result.m[a][b] = choose(usable, sum, l.m[a][b]);
     }
   }
   return result;
@@ -96,7 +87,9 @@ struct ParticleLoads {
             a < Dim && b < Dim ? T::load_aligned(p.velocity_gradient[3 * a + b] + k) : T(0.0);
       }
     }
-    if (!c.gradient_correction) return l;
+    return c.gradient_correction ? corrected_gradient(l, moment(p, k)) : l;
+  }
+  static SCARP_INLINE SymTensor<T> moment(const ParticleView& p, std::size_t k) {
     SymTensor<T> m{T::load_aligned(p.moment[xx] + k),
                    T::load_aligned(p.moment[yy] + k),
                    T(1.0),
@@ -108,7 +101,22 @@ struct ParticleLoads {
       m.yz = T::load_aligned(p.moment[yz] + k);
       m.zx = T::load_aligned(p.moment[zx] + k);
     }
-    return corrected_gradient<Dim>(l, m);
+    return m;
+  }
+  /// Turns the moment, which is that of the middle of the step, with the spin to its end, where the
+  /// force is summed. Equation: K2.
+  static SCARP_INLINE void turn_moment(const ParticleView& p, const StressPassConstants& c,
+                                       const Tensor<T>& gradient, std::size_t k) {
+    const SymTensor<T> m = rotated(
+        moment(p, k), hughes_winget_rotation(antisymmetric_part(gradient), T(0.5 * c.leap)));
+    m.xx.store_aligned(p.moment[xx] + k);
+    m.yy.store_aligned(p.moment[yy] + k);
+    m.xy.store_aligned(p.moment[xy] + k);
+    if constexpr (Dim == 3) {
+      m.zz.store_aligned(p.moment[zz] + k);
+      m.yz.store_aligned(p.moment[yz] + k);
+      m.zx.store_aligned(p.moment[zx] + k);
+    }
   }
   /// Diffusion increment with its lithostatic part: psi = sigma_i - sigma_j + rho g.x_ij T.
   /// Equation: D1.
@@ -134,12 +142,11 @@ struct ParticleLoads {
 template <class Model, class T, int Dim>
 SCARP_INLINE unsigned advance_material(const ParticleView& p, const StressPassConstants& c,
                                        const typename Model::Constants& model, std::size_t k,
-                                       const SymTensor<T>& base_stress, const T& base_density,
-                                       SymTensor<T>& stress, T& density) {
+                                       const Tensor<T>& gradient, const SymTensor<T>& base_stress,
+                                       const T& base_density, SymTensor<T>& stress, T& density) {
   using Loads = ParticleLoads<T, Dim>;
   const SymTensor<T> current = Loads::tensor(p.stress, k);
   const T density_now = T::load_aligned(p.density + k);
-  const Tensor<T> gradient = Loads::gradient(p, c, k);
   const SymTensor<T> diffusion = Loads::diffusion(p, c, density_now, k);
   History<T, Model::state_fields.size()> history;
   for (std::size_t h = 0; h < Model::state_fields.size(); ++h)
@@ -205,7 +212,8 @@ std::uint64_t advance_verlet(const ParticleView& p, const StressPassConstants& c
     const T base_density = v.leaps ? T::load_aligned(p.previous_density + k) : density_now;
     SymTensor<T> stress;
     T density;
-    bounded += advance_material<Model, T, Dim>(p, c, model, k, base, base_density, stress, density);
+    bounded += advance_material<Model, T, Dim>(p, c, model, k, Loads::gradient(p, c, k), base,
+                                               base_density, stress, density);
     for (int a = 0; a < Dim; ++a) {
       const T now = T::load_aligned(p.velocity[a] + k);
       const T base_velocity = v.leaps ? T::load_aligned(p.previous_velocity[a] + k) : now;
@@ -236,7 +244,9 @@ std::uint64_t advance_stress(const ParticleView& p, const StressPassConstants& c
   for (std::size_t k = begin; k < end; k += T::size) {
     SymTensor<T> stress;
     T density;
-    bounded += advance_material<Model, T, Dim>(p, c, model, k, Loads::tensor(p.stress, k),
+    const Tensor<T> gradient = Loads::gradient(p, c, k);
+    if (c.gradient_correction) Loads::turn_moment(p, c, gradient, k);
+    bounded += advance_material<Model, T, Dim>(p, c, model, k, gradient, Loads::tensor(p.stress, k),
                                                T::load_aligned(p.density + k), stress, density);
     Loads::store(p.stress, k, stress);
     density.store_aligned(p.density + k);

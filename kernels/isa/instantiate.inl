@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Included by one tiny source per instruction set, which defines SCARP_ARCH, SCARP_ISA and
-// SCARP_ISA_NAME. Variants add: 16 sweeps in double and 10 in single precision in the full set, 6
+// SCARP_ISA_NAME. Variants add: 16 sweeps in double and 14 in single precision in the full set, 10
 // of each in the general one (SSE2 and the smoke set).
 #include <array>
 
@@ -20,10 +20,13 @@ using Arch = SCARP_ARCH;
 using enum Term;
 
 /// What a scene without gradient correction, with it, and with the stress diffusion sums of the
-/// velocity; and what it sums of the stress.
-constexpr TermSet plain{continuity, velocity_gradient}, corrected{velocity_gradient, moment},
-    diffused{velocity_gradient, moment, diffusion}, viscous{momentum, viscosity},
-    tensile{momentum, viscosity, artificial_stress}, any_gradient = plain | diffused;
+/// velocity; and what it sums of the stress, without the correction and with it.
+constexpr TermSet plain{continuity, velocity_gradient},
+    corrected{velocity_gradient, moment, wall_gradient},
+    diffused = corrected | TermSet{diffusion}, viscous{momentum, viscosity},
+    tensile{momentum, viscosity, artificial_stress},
+    corrected_viscous = viscous | TermSet{force_correction},
+    corrected_tensile = tensile | TermSet{force_correction};
 
 template <class Real, int Dim, TermSet... Set>
 constexpr std::array<CompiledSweep<Real>, sizeof...(Set)> compiled{
@@ -40,24 +43,25 @@ consteval auto joined(const std::array<CompiledSweep<Real>, Count>&... part) {
   return all;
 }
 
-/// Special before general. The last two cover every scene, whose gradients and forces are then
+/// Special before general. The last four cover every scene, whose gradients and forces are then
 /// summed one after the other. Before them stands what presets and validation cases run: the sweep
-/// of "paper" without soil in tension and with it, that of "modern" with Verlet's integrator; the
-/// gradients of "modern" for elastic bodies and for soil, and its forces. In single precision
-/// sweeps that are rarely run have no kernel of their own.
+/// of "paper" without soil in tension and with it; the gradients of "modern" for elastic bodies and
+/// its forces without soil in tension. In single precision sweeps that are rarely run have no
+/// kernel of their own.
 #if defined(SCARP_GENERAL_SET) || defined(SCARP_KERNEL_SET_SMOKE)
 template <class Real, int Dim>
 constexpr auto special = compiled<Real, Dim, plain | tensile>;
 #else
 template <class Real, int Dim>
-constexpr auto special = compiled<Real, Dim, plain | viscous, plain | tensile, diffused | viscous,
-                                  corrected, diffused, viscous>;
+constexpr auto special =
+    compiled<Real, Dim, plain | viscous, plain | tensile, corrected, corrected_viscous>;
 template <int Dim>
 constexpr auto special<float, Dim> =
-    compiled<float, Dim, plain | viscous, plain | tensile, diffused, viscous>;
+    compiled<float, Dim, plain | viscous, plain | tensile, corrected_viscous>;
 #endif
 template <class Real, int Dim>
-constexpr auto general = compiled<Real, Dim, any_gradient, tensile>;
+constexpr auto general =
+    compiled<Real, Dim, plain | TermSet{diffusion}, tensile, diffused, corrected_tensile>;
 
 template <class Real>
 constexpr auto sweeps = joined(special<Real, 2>, general<Real, 2>, special<Real, 3>,
@@ -80,7 +84,12 @@ const KernelTable& SCARP_TABLE() {
                                      cluster_size<float, Arch>,
                                      sweeps<double>,
                                      sweeps<float>,
-                                     {&wall_sweep<Arch, double, 2>, &wall_sweep<Arch, double, 3>},
+                                     {{{&wall_sweep<Arch, double, 2, WallSums::extrapolation>,
+                                        &wall_sweep<Arch, double, 3, WallSums::extrapolation>},
+                                       {&wall_sweep<Arch, double, 2, WallSums::gradient>,
+                                        &wall_sweep<Arch, double, 3, WallSums::gradient>},
+                                       {&wall_sweep<Arch, double, 2, WallSums::corrected_stress>,
+                                        &wall_sweep<Arch, double, 3, WallSums::corrected_stress>}}},
                                      passes,
                                      &filter_candidates<Arch>};
   return table;

@@ -8,13 +8,16 @@ namespace scarp::kernels {
 
 namespace {
 
+/// Terms with which the records hold something else: a sweep with them serves no scene without.
+constexpr TermSet other_records{Term::wall_gradient, Term::force_correction};
+
 template <class Real>
 PairSweep<Real> first_that_covers(std::span<const CompiledSweep<Real>> sweeps,
                                   const SweepVariant& wanted) {
-  constexpr TermSet halves{Term::velocity_gradient, Term::momentum};
+  constexpr TermSet alike = TermSet{Term::velocity_gradient, Term::momentum} | other_records;
   for (const CompiledSweep<Real>& candidate : sweeps) {
     const SweepVariant& have = candidate.variant;
-    if (have.dimension == wanted.dimension && (have.terms & halves) == (wanted.terms & halves) &&
+    if (have.dimension == wanted.dimension && (have.terms & alike) == (wanted.terms & alike) &&
         have.terms.covers(wanted.terms))
       return candidate.sweep;
   }

@@ -47,15 +47,16 @@ struct KernelTable {
   int mixed_cluster_size;                         ///< ... of the sweeps in single precision
   std::span<const CompiledSweep<double>> sweeps;  ///< special before general
   std::span<const CompiledSweep<float>> mixed;    ///< the same in single precision
-  std::array<WallSweep<double>, 2> wall_sweep;    ///< by dimension - 2
-  std::span<const ModelPasses> passes;            ///< by model of the list
+  /// By what it sums and dimension - 2.
+  std::array<std::array<WallSweep<double>, 2>, wall_sums_count> wall_sweep;
+  std::span<const ModelPasses> passes;  ///< by model of the list
   CandidateFilter filter_candidates;
 
   /// Of a model of the list, or those that another one brings.
   const ModelPasses& passes_of(const ModelInfo& model) const;
-  /// The most special kernel that covers what is asked for and sums gradients and forces only where
-  /// both are asked for; every table holds general ones for either. Null: no sweep sums such
-  /// gradients and forces at once, so that two have to.
+  /// The most special kernel that covers what is asked for, sums gradients and forces only where
+  /// both are asked for, and reads the records as they are packed; every table holds general ones
+  /// for either. Null: no sweep sums such gradients and forces at once, so that two have to.
   PairSweep<double> sweep_for(const SweepVariant& wanted) const;
   PairSweep<float> mixed_sweep_for(const SweepVariant& wanted) const;
 };

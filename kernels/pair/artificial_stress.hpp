@@ -3,13 +3,15 @@
 #pragma once
 
 #include "kernels/pair/artificial_stress_tensor.hpp"
+#include "kernels/pair/force_correction.hpp"
 #include "kernels/pair/momentum.hpp"
 
 namespace scarp::kernels {
 
 /// Equation: E20, E27; rho_i m_j F^n (R_i + R_j) . grad W: R_j joins the stress of the neighbour,
 /// and the part with R_i is multiplied once after the loop. The second record line holds rho R,
-/// zero for a particle in compression.
+/// zero for a particle in compression. With the force correction R B takes the place of R (K2), in
+/// 3D its symmetric part.
 struct ArtificialStress : PairTerm {
   static constexpr Term term = Term::artificial_stress;
   static constexpr const char* name = "artificial stress";
@@ -19,7 +21,8 @@ struct ArtificialStress : PairTerm {
   static constexpr TermSet adds_to{Term::momentum};
   static constexpr PairNeeds needs{.stress = true, .tension_factor = true};
   static constexpr SlotSet reads = density_slot;
-  static constexpr std::array<FieldUse, 2> reads_fields{{{"stress", 6}, {"density", 1}}};
+  static constexpr std::array<FieldUse, 3> reads_fields{
+      {{"stress", 6}, {"density", 1}, {"moment", 6, true}}};
   static constexpr int second_slots = 6;
   static constexpr SecondRank second_rank = SecondRank::tensor;
   static constexpr bool used(const TermSettings& s) { return s.artificial_stress > 0.0; }
@@ -34,7 +37,21 @@ struct ArtificialStress : PairTerm {
     const SymTensor<double> sigma{stress(xx), stress(yy), stress(zz),
                                   stress(xy), stress(yz), stress(zx)};
     if (in_compression(sigma, dimension)) return false;
-    const SymTensor<double> tensile = positive_part(sigma, dimension);
+    SymTensor<double> tensile = positive_part(sigma, dimension);
+    if (fields[7] != nullptr) {
+      const auto moment = [&](int c) {
+        return c != zz && fields[7 + c] != nullptr ? fields[7 + c][k] : 0.0;
+      };
+      const double across = dimension == 3 ? fields[7 + zz][k] : 1.0;
+      const Tensor<double> corrected = corrected_stress(
+          tensile, inverse_of(SymTensor<double>{moment(xx), moment(yy), across, moment(xy),
+                                                moment(yz), moment(zx)}));
+      tensile = symmetric_part(corrected);
+      if (dimension == 2) {
+        tensile.xy = corrected.m[0][1];
+        tensile.zz = corrected.m[1][0];
+      }
+    }
     const double factor = -s.artificial_stress / fields[6][k];
     out[xx] = factor * tensile.xx;
     out[yy] = factor * tensile.yy;
@@ -62,27 +79,28 @@ struct ArtificialStress : PairTerm {
         B& sum = weighted_gradient_sum[a];
         sum = fma(weight_i, pair.volume_gradient[a], sum);
         unrolled<Dim>([&](auto b) SCARP_LAMBDA {
-          if constexpr (a <= b) {
-            B& stress = pair.stress[tensor_index[a][b]];
-            stress = fma(weight_j, tension_j[tensor_index[a][b]], stress);
+          if constexpr (a <= b || Pair::corrected) {
+            B& stress = pair.force_stress(a, b);
+            stress = fma(weight_j, tension_j[place<Pair::corrected>(a, b)], stress);
           }
         });
       });
     }
 
     /// The part with R_i, which the momentum adds to its own.
+    template <bool Corrected>
     struct OwnPart {
       bool there;
       B tension[6];
       B sums[Dim];
       SCARP_INLINE void add(int a, int b, B& total) const {
         // The line holds rho_i R_i, which is what E20 times rho_i asks for.
-        if (there) total = fma(tension[tensor_index[a][b]], sums[b], total);
+        if (there) total = fma(tension[place<Corrected>(a, b)], sums[b], total);
       }
     };
     template <class Own>
-    SCARP_INLINE OwnPart own_part(const Own& own) const {
-      OwnPart part{own.has_second(), {}, {}};
+    SCARP_INLINE OwnPart<Own::corrected> own_part(const Own& own) const {
+      OwnPart<Own::corrected> part{own.has_marked(), {}, {}};
       if (part.there) {
         for (int c = 0; c < (Dim == 2 ? 4 : 6); ++c)
           part.tension[c] = own.template second<ArtificialStress>(c);
@@ -92,6 +110,12 @@ struct ArtificialStress : PairTerm {
     }
     template <class Own>
     SCARP_INLINE void store(const Own&, double* const*) const {}
+
+   private:
+    template <bool Corrected>
+    static constexpr int place(int a, int b) {
+      return Corrected && Dim == 2 ? corrected_place<2>[a][b] : tensor_index[a][b];
+    }
   };
 };
 

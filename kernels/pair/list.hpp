@@ -6,11 +6,13 @@
 
 #include "kernels/pair/artificial_stress.hpp"
 #include "kernels/pair/continuity.hpp"
+#include "kernels/pair/force_correction.hpp"
 #include "kernels/pair/moment.hpp"
 #include "kernels/pair/momentum.hpp"
 #include "kernels/pair/stress_diffusion.hpp"
 #include "kernels/pair/velocity_gradient.hpp"
 #include "kernels/pair/viscosity.hpp"
+#include "kernels/pair/wall_gradient.hpp"
 
 namespace scarp::kernels {
 
@@ -21,8 +23,8 @@ struct TermList {
 
 /// The one list: a term stands here, in `Term` and in its own header. Terms that change the stress
 /// of the neighbour come before the momentum, which takes it; terms that add to the force after.
-using PairTerms = TermList<Continuity, VelocityGradient, Moment, StressDiffusion, ArtificialStress,
-                           Momentum, Viscosity>;
+using PairTerms = TermList<Continuity, VelocityGradient, Moment, WallGradient, StressDiffusion,
+                           ArtificialStress, ForceCorrection, Momentum, Viscosity>;
 
 /// Sum of value<T>() over the terms before `Wanted` (over all of them for void).
 template <class Wanted, class... T, class Value>
@@ -62,29 +64,36 @@ constexpr bool is_sound(TermList<T...> list) {
          second_count<decltype(list)> <= second_record_size;
 }
 static_assert(is_sound(PairTerms{}) && PairTerms::size == term_count);
+static_assert(first_second<PairTerms, ForceCorrection> == corrected_second);
+
+/// Whether a term is summed over pairs of soil, or of soil and dummies.
+template <class T>
+constexpr bool is_summed(bool wall) {
+  return T::acts_on == ActsOn::all || (T::acts_on == ActsOn::walls) == wall;
+}
 
 /// What the terms of a set want of a pair; between soil and dummies only those that act there.
 template <class... T>
 constexpr PairNeeds needs_of(TermList<T...>, TermSet set, bool wall) {
   PairNeeds needs;
-  ((needs = set.has(T::term) && (T::across_walls || !wall) ? needs | T::needs : needs), ...);
+  ((needs = set.has(T::term) && is_summed<T>(wall) ? needs | T::needs : needs), ...);
   return needs;
 }
 /// Whether any term of a set has values in the second record line.
 template <class... T>
-constexpr bool reads_second(TermList<T...>, TermSet set) {
-  return ((set.has(T::term) && T::second_slots > 0) || ...);
+constexpr bool reads_second(TermList<T...>, TermSet set, int dimension) {
+  return ((set.has(T::term) && T::second_slots > 0 && (T::marked || dimension == 3)) || ...);
 }
 
-/// The terms that have.
+/// The terms that are skipped where no second line is marked.
 template <class... T>
-constexpr TermSet second_terms(TermList<T...>) {
+constexpr TermSet marked_terms(TermList<T...>) {
   TermSet set;
-  ((set = T::second_slots > 0 ? set | TermSet{T::term} : set), ...);
+  ((set = T::second_slots > 0 && T::marked ? set | TermSet{T::term} : set), ...);
   return set;
 }
 
-/// Flops of one pair in a sweep over these terms; the artificial stress counts as at work.
+/// Flops of one pair of soil in a sweep over these terms; the artificial stress counts as at work.
 template <class... T>
 constexpr int pair_flops(TermList<T...> list, int d, TermSet set) {
   const PairNeeds needs = needs_of(list, set, false);
@@ -93,7 +102,7 @@ constexpr int pair_flops(TermList<T...> list, int d, TermSet set) {
   if (needs.regularised && set.has(Term::diffusion)) flops += 2;  // the denominator by itself
   flops += 2 * d;                                                 // relative velocity, V_j grad W
   if (set.has(Term::continuity) || set.has(Term::viscosity)) flops += 2 * d - 1;  // approach
-  ((flops += set.has(T::term) ? T::flops(d) : 0), ...);
+  ((flops += set.has(T::term) && is_summed<T>(false) ? T::flops(d) : 0), ...);
   return flops;
 }
 

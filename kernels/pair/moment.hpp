@@ -7,8 +7,30 @@
 
 namespace scarp::kernels {
 
+/// M + w (I - M) for moments that are all but singular, of a few stray neighbours in a line or
+/// plane: w rises from 0 to 1 as det M falls from `smallest_moment_determinant` to half of it, so
+/// that the inverse exists and changes smoothly. `m` is the upper triangle row by row.
+template <int Dim, class B>
+SCARP_INLINE void keep_invertible(B (&m)[Dim * (Dim + 1) / 2]) {
+  B determinant;
+  if constexpr (Dim == 2) {
+    determinant = m[0] * m[2] - m[1] * m[1];
+  } else {
+    determinant = m[0] * (m[3] * m[5] - m[4] * m[4]) - m[1] * (m[1] * m[5] - m[4] * m[2]) +
+                  m[2] * (m[1] * m[4] - m[3] * m[2]);
+  }
+  constexpr double least = smallest_moment_determinant<Dim>;
+  const B share = min(max(fnma(determinant, B(2.0 / least), B(2)), B(0)), B(1));
+  unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+    unrolled<Dim - a>([&](auto ahead) SCARP_LAMBDA {
+      constexpr int k = a * Dim - a * (a - 1) / 2 + ahead;
+      m[k] = fma(share, B(ahead == 0 ? 1 : 0) - m[k], m[k]);
+    });
+  });
+}
+
 /// Equation: K1; moment_ab = sum_j V_j (x_j - x_i)_a d_b W [-], symmetric; the identity inside a
-/// perfect, undisturbed body.
+/// perfect, undisturbed body; stored so that it can be inverted.
 struct Moment : PairTerm {
   static constexpr Term term = Term::moment;
   static constexpr const char* name = "gradient correction";
@@ -39,9 +61,27 @@ struct Moment : PairTerm {
     template <class Own>
     SCARP_INLINE void store(const Own& own, double* const* out) const {
       constexpr int component[2][6] = {{xx, xy, yy}, {xx, xy, zx, yy, yz, zz}};
-      for (int k = 0; k < size; ++k) {
-        own.put(out[component[Dim - 2][k]], own.fold(-minus_moment[k] * own.smoothing_length()));
+      B moment[size];
+      stored(own, moment);
+      for (int k = 0; k < size; ++k) own.put(out[component[Dim - 2][k]], moment[k]);
+    }
+    /// What is stored, all components row by row.
+    template <class Own>
+    SCARP_INLINE void full(const Own& own, B (&out)[Dim * Dim]) const {
+      B moment[size];
+      stored(own, moment);
+      for (int a = 0; a < Dim; ++a) {
+        for (int b = a; b < Dim; ++b)
+          out[a * Dim + b] = out[b * Dim + a] = moment[a * Dim - a * (a - 1) / 2 + b - a];
       }
+    }
+
+   private:
+    template <class Own>
+    SCARP_INLINE void stored(const Own& own, B (&moment)[size]) const {
+      for (int k = 0; k < size; ++k)
+        moment[k] = own.fold(-minus_moment[k] * own.smoothing_length());
+      keep_invertible<Dim>(moment);
     }
   };
 };

@@ -8,8 +8,9 @@
 namespace scarp::kernels {
 
 /// Equation: E20; rho_i dv_i/dt = sigma_i . sum_j V_j grad W + sum_j V_j sigma_j . grad W: sigma_i
-/// is multiplied once after the loop. Stores the acceleration without gravity [m/s2]; terms that
-/// add to it add to `force`, or to the stress of j before this term takes it.
+/// is multiplied once after the loop. With the force correction T takes the place of sigma (K2).
+/// Stores the acceleration without gravity [m/s2]; terms that add to it add to `force`, or to the
+/// stress of j before this term takes it.
 struct Momentum : PairTerm {
   static constexpr Term term = Term::momentum;
   static constexpr const char* name = "momentum";
@@ -32,22 +33,21 @@ struct Momentum : PairTerm {
       unrolled<Dim>([&](auto a) SCARP_LAMBDA {
         gradient_sum[a] = gradient_sum[a] + pair.volume_gradient[a];
         unrolled<Dim>([&](auto b) SCARP_LAMBDA {
-          force[a] = fma(pair.stress[tensor_index[a][b]], pair.volume_gradient[b], force[a]);
+          force[a] = fma(pair.force_stress(a, b), pair.volume_gradient[b], force[a]);
         });
       });
     }
     template <class Own>
     SCARP_INLINE void store(const Own& own, double* const* out) const {
-      B stress_i[6], sums[Dim];
-      for (int c = 0; c < (Dim == 2 ? 4 : 6); ++c) stress_i[c] = own.value(record_stress + c);
+      B sums[Dim];
       for (int a = 0; a < Dim; ++a) sums[a] = own.fold(gradient_sum[a]);
       // Lanes of padding have density 1, so the quotient is finite.
       const B scale = B(1) / own.i.density;
-      const auto own_part = own.own_stress_part();
+      const auto own_part = own.template parts_for<Momentum>();
       for (int a = 0; a < Dim; ++a) {
         B total = own.fold(force[a]);
         for (int b = 0; b < Dim; ++b) {
-          total = fma(stress_i[tensor_index[a][b]], sums[b], total);
+          total = fma(own.force_stress(a, b), sums[b], total);
           own_part.add(a, b, total);
         }
         own.put(out[a], total * scale);

@@ -24,7 +24,8 @@ struct PairGeometry {
   /// 1/(((r/h)^2 + 0.01)(rho_i + rho_j)), the denominators of Eq. 26, where a term needs the
   /// densities; else 1/((r/h)^2 + 0.01).
   B inverse_regularised;
-  B tension_factor;  ///< F^n of the artificial stress
+  B tension_factor;   ///< F^n of the artificial stress
+  B smoothing_value;  ///< W in the scaling of SmoothingView::value
 };
 
 /// What the second stage adds to it.
@@ -115,6 +116,8 @@ SCARP_INLINE void complete_geometry(PairGeometry<B, Dim>& pair, const B& volume_
   pair.gradient = volume_j * smoothing_slope(powers, constants.smoothing) * inverse_distance;
   if constexpr (Needs.tension_factor)
     pair.tension_factor = tension_factor(powers, constants.tension_factor);
+  if constexpr (Needs.smoothing_value)
+    pair.smoothing_value = kernels::smoothing_value(powers, constants.smoothing);
   if constexpr (Needs.densities) {
     pair.inverse_regularised = inverse((squared + B(Real(0.01))) * densities());
   } else if constexpr (Needs.regularised) {

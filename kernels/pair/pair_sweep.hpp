@@ -19,7 +19,8 @@ class ClusterSweep {
   static constexpr int half = cluster_size<Real, Arch>;
   static constexpr int stages = entry_block / 2;
   static constexpr int prefetch_distance = 2;  ///< blocks
-  static constexpr bool second = reads_second(List{}, Set);
+  static constexpr bool second = reads_second(List{}, Set, Dim);
+  static constexpr bool skips = !(Set.without(marked_terms(List{})) == Set);
   using B = Batch<Real, Arch>;
   using Quad = RecordQuad<Real, Arch>;
   using Geometry = PairGeometry<B, Dim>;
@@ -28,7 +29,7 @@ class ClusterSweep {
  public:
   SCARP_INLINE ClusterSweep(const PairSweepView<Real>& view, std::int64_t cluster)
       : view_(view), own_(view, cluster * half) {
-    if constexpr (second) {
+    if constexpr (skips) {
       for (int l = 0; l < half; ++l)
         cluster_marked_ |= view.marked != nullptr && view.marked[cluster * half + l] != 0;
     }
@@ -39,7 +40,7 @@ class ClusterSweep {
     for (std::int64_t block = begin; block < end; ++block) {
       prefetch(block + prefetch_distance);  // lists end in empty blocks: this one exists
       const NeighbourBlock j(view_.neighbours, block);
-      if constexpr (second) {
+      if constexpr (skips) {
         if (is_marked(j)) {
           add_block<Wall, true>(j);
           continue;
@@ -69,7 +70,7 @@ class ClusterSweep {
       for (int value = 0; value < record_size; value += line)
         __builtin_prefetch(view_.records + k * record_size + value);
       if constexpr (second) {
-        if (view_.marked != nullptr) __builtin_prefetch(view_.second + k * second_record_size);
+        if (view_.second != nullptr) __builtin_prefetch(view_.second + k * second_record_size);
       }
     }
   }
@@ -78,7 +79,7 @@ class ClusterSweep {
   SCARP_INLINE void add_block(const NeighbourBlock& j) {
     Geometry pairs[stages];
     unrolled<stages>([&](auto s) SCARP_LAMBDA {
-      geometry<Marked>(j.record[2 * s], j.record[2 * s + 1], pairs[s]);
+      geometry<Wall, Marked>(j.record[2 * s], j.record[2 * s + 1], pairs[s]);
     });
     unrolled<stages>([&](auto s) SCARP_LAMBDA {
       accumulate<Wall, Marked>(pairs[s], j.record[2 * s], j.record[2 * s + 1]);
@@ -87,16 +88,16 @@ class ClusterSweep {
 
   /// Terms with values in the second line take no part in blocks without marks.
   template <bool Marked>
-  static constexpr TermSet at_work = Marked ? Set : Set.without(second_terms(List{}));
+  static constexpr TermSet at_work = Marked ? Set : Set.without(marked_terms(List{}));
 
-  template <bool Marked>
+  template <bool Wall, bool Marked>
   SCARP_INLINE void geometry(std::int32_t low, std::int32_t high, Geometry& pair) const {
     const RecordPair<Arch, Real> records(view_.records, low, high);
     const Quad where = records.template quad<record_x>();
     unrolled<Dim>([&](auto a) SCARP_LAMBDA {
       pair.offset[a] = position_difference<Arch>(own_.i.position[a], where(a));
     });
-    constexpr PairNeeds needs = needs_of(List{}, at_work<Marked>, false);
+    constexpr PairNeeds needs = needs_of(List{}, at_work<Marked>, Wall);
     complete_geometry<needs>(
         pair, where(constant<record_volume - record_x>),
         [&]() SCARP_LAMBDA { return own_.i.density + records.density(); }, view_.constants);
@@ -105,10 +106,10 @@ class ClusterSweep {
   template <bool Wall, bool Marked>
   SCARP_INLINE void accumulate(const Geometry& geometry, std::int32_t low, std::int32_t high) {
     PairValues<Arch, Real, Dim, needs_of(List{}, at_work<Marked>, Wall),
-               needs_of(List{}, Set, false).densities, List, Sums>
+               needs_of(List{}, at_work<Marked>, Wall).densities, List, Sums>
         pair(view_, own_.i, geometry, low, high, sums_);
     sums_.each([&]<class T>(const T&, auto& sum) SCARP_LAMBDA {
-      if constexpr (at_work<Marked>.has(T::term) && (T::across_walls || !Wall)) sum.add(pair);
+      if constexpr (at_work<Marked>.has(T::term) && is_summed<T>(Wall)) sum.add(pair);
     });
   }
 

@@ -3,6 +3,7 @@
 #include "kernels/pair/pair_sweep_reference.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 #include "kernels/particle_view.hpp"
 
@@ -18,6 +19,10 @@ Matrix matrix_of(const std::array<double, 6>& s) {
   Matrix m;
   m << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
   return m;
+}
+
+Matrix matrix_of(const std::array<double, 9>& t) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(t.data());
 }
 
 constexpr int row[6] = {0, 1, 2, 0, 1, 2}, column[6] = {0, 1, 2, 1, 2, 0};
@@ -63,9 +68,12 @@ void add_forces(const ReferenceParticles& p, const ReferenceSettings& s, std::si
       smoothing_value_reference(s.smoothing, s.dimension, distance.norm(), s.smoothing_length) /
       smoothing_value_reference(s.smoothing, s.dimension, s.spacing, s.smoothing_length);
   const double weight = std::pow(f, s.tension_exponent);
-  const Matrix stress_i = matrix_of(p.stress[i]), stress_j = matrix_of(p.stress[j]);
   const Matrix artificial_i = matrix_of(p.artificial_stress[i]);
   const Matrix artificial_j = matrix_of(p.artificial_stress[j]);
+  const auto force_stress = [&](std::size_t k) {
+    return s.corrected ? matrix_of(p.force_stress[k]) : matrix_of(p.stress[k]);
+  };
+  const Matrix stress_i = force_stress(i), stress_j = force_stress(j);
   for (int a = 0; a < s.dimension; ++a) {
     ReferenceSum& sum = rate.acceleration[a];
     for (int b = 0; b < s.dimension; ++b) {
@@ -96,6 +104,44 @@ void add_diffusion(const ReferenceParticles& p, const ReferenceSettings& s, std:
     rate.diffusion_slope.add(weight * s.gravity[a] * distance(a));
 }
 
+/// Keeps the moment invertible and adds to the velocity gradient what the walls do. Equation: K1,
+/// B5.
+void complete_gradients(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
+                        ReferenceRate& rate) {
+  const int d = s.dimension;
+  Matrix moment = Matrix::Identity();
+  for (int c = 0; c < 6; ++c) {
+    if (row[c] < d && column[c] < d)
+      moment(row[c], column[c]) = moment(column[c], row[c]) = rate.moment[c].value;
+  }
+  const double least = d == 2 ? smallest_moment_determinant<2> : smallest_moment_determinant<3>;
+  rate.identity_share = std::clamp((least - moment.determinant()) / (0.5 * least), 0.0, 1.0);
+  moment += rate.identity_share * (Matrix::Identity() - moment);
+  for (int c = 0; c < 6; ++c) {
+    rate.moment[c].value = moment(row[c], column[c]);
+    rate.moment[c].largest = std::fmax(rate.moment[c].largest, rate.identity_share);
+  }
+  Matrix sum = Matrix::Zero();
+  double largest = 0.0;
+  for (std::size_t w = p.soil_count; w < p.soil_count + p.wall_count; ++w) {
+    const double r = (vector_of(p.position[i]) - vector_of(p.position[w])).norm();
+    const double weight =
+        smoothing_value_reference(s.smoothing, d, r, s.smoothing_length) / p.volume[i];
+    const Matrix term = weight * matrix_of(p.wall_gradient[w]);
+    sum += term;
+    largest = std::fmax(largest, term.cwiseAbs().maxCoeff());
+  }
+  const Matrix product = sum * moment;
+  for (int a = 0; a < d; ++a) {
+    for (int b = 0; b < d; ++b) {
+      ReferenceSum& component = rate.velocity_gradient[3 * a + b];
+      component.value += product(a, b);
+      // Three products, whose moment is at most 1.5 here.
+      component.largest += 4.5 * largest;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
@@ -116,6 +162,7 @@ std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& p,
       add_forces(p, s, i, j, velocity, distance, gradient, rate);
       if (!p.is_wall(j)) add_diffusion(p, s, i, j, distance, gradient, rate);
     }
+    if (s.corrected) complete_gradients(p, s, i, rate);
   }
   return rates;
 }
@@ -136,16 +183,36 @@ std::vector<ReferenceDummy> wall_sweep_reference(const ReferenceParticles& p,
       before -= weight * (distance.dot(vector_of(p.face[w].normal)) + p.face[w].distance);
       for (int a = 0; a < 3; ++a) slip[a].add(weight * (p.velocity[j][a] - p.velocity[w][a]));
       const double lithostatic = p.density[j] * vector_of(s.gravity).dot(distance);
+      const double r = distance.norm();
+      const double slope =
+          r < 2.0 * s.smoothing_length
+              ? smoothing_slope_reference(s.smoothing, s.dimension, r, s.smoothing_length) /
+                    (r * s.lattice_moment)
+              : 0.0;
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 0; b < 3; ++b) {
+          // grad_j W_jw points along x_j - x_w.
+          dummy.gradient[3 * a + b].add(p.volume[j] * (p.velocity[w][a] - p.velocity[j][a]) *
+                                        slope * -distance(static_cast<int>(b)));
+          dummy.force_stress[3 * a + b].add(weight * p.force_stress[j][3 * a + b]);
+          if (a == b) dummy.force_stress[3 * a + b].add(-weight * lithostatic);
+        }
+      }
       for (int c = 0; c < 6; ++c) {
         dummy.stress[c].add(weight * p.stress[j][c]);
         if (c < 3) dummy.stress[c].add(-weight * lithostatic);
       }
     }
     const double scale = weights > 0.0 ? 1.0 / weights : 0.0;
-    for (ReferenceSum& component : dummy.stress) {
-      component.value *= scale;
-      component.largest *= scale;
-    }
+    const auto divide = [scale](auto& sums) {
+      for (ReferenceSum& component : sums) {
+        component.value *= scale;
+        component.largest *= scale;
+      }
+    };
+    divide(dummy.stress);
+    divide(dummy.gradient);
+    divide(dummy.force_stress);
     const double height = before * scale;
     const ReferenceFace& face = p.face[w];
     const double ratio = height > 0.0 ? std::fmin(face.limit, face.distance / height) : face.limit;

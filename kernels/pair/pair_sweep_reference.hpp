@@ -31,6 +31,9 @@ struct ReferenceParticles {
   std::vector<std::array<double, 6>> stress;
   std::vector<std::array<double, 6>> artificial_stress;  ///< R of Eq. 27 [Pa m6/kg2]
   std::vector<ReferenceFace> face;                       ///< read for dummies only
+  /// T = sigma B, row by row, first index the direction of the force [Pa]. Equation: K2.
+  std::vector<std::array<double, 9>> force_stress;
+  std::vector<std::array<double, 9>> wall_gradient;  ///< H of dummies [m2/s, in 3D m3/s]; B5
 
   std::size_t size() const { return position.size(); }
   bool is_wall(std::size_t k) const { return k >= soil_count && k < soil_count + wall_count; }
@@ -45,6 +48,7 @@ struct ReferenceSettings {
   double spacing = 1.0;  ///< dx of F = W(r)/W(dx)
   double tension_exponent = 2.55;
   std::array<double, 3> gravity{};  ///< [m/s2]; for walls less the acceleration of the wall
+  bool corrected = false;  ///< forces of T, gradients with H and the moment kept invertible
 };
 
 /// A sum with what its rounding is measured by.
@@ -64,6 +68,7 @@ struct ReferenceRate {
   ReferenceSum density_rate;
   std::array<ReferenceSum, 9> velocity_gradient;
   std::array<ReferenceSum, 6> moment;
+  double identity_share = 0.0;  ///< of the identity in it
   std::array<ReferenceSum, 3> acceleration;
   /// Largest term of the artificial stress, with 1 for a smaller F^n [m/s2].
   double largest_artificial = 0.0;
@@ -74,17 +79,19 @@ struct ReferenceRate {
 
 /// What a wall makes of a dummy.
 struct ReferenceDummy {
-  std::array<ReferenceSum, 3> velocity;  ///< [m/s]
-  std::array<ReferenceSum, 6> stress;    ///< [Pa]
+  std::array<ReferenceSum, 3> velocity;      ///< [m/s]
+  std::array<ReferenceSum, 6> stress;        ///< [Pa]
+  std::array<ReferenceSum, 9> gradient;      ///< G_w/sum_k W_wk [m2/s, in 3D m3/s]; B5
+  std::array<ReferenceSum, 9> force_stress;  ///< average of T [Pa]
 };
 
 /// Rates of all soil particles; dummies come with their extrapolated velocity and stress. Equation:
-/// E19, E20, E23, E24, E26, E27, D1, K1. Cost: O(N^2).
+/// E19, E20, E23, E24, E26, E27, D1, K1, K2, B5. Cost: O(N^2).
 std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& particles,
                                                 const ReferenceSettings& settings);
 
-/// Velocity and stress of all dummies, which come with the velocity of their wall. Equation: B1,
-/// B2. Cost: O(N^2).
+/// What all dummies take from the soil; they come with the velocity of their wall. Equation: B1,
+/// B2, B5. Cost: O(N^2).
 std::vector<ReferenceDummy> wall_sweep_reference(const ReferenceParticles& particles,
                                                  const ReferenceSettings& settings);
 

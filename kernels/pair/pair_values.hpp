@@ -35,6 +35,7 @@ class RecordPair {
 template <class Arch, class Real, int Dim>
 struct OwnValues {
   using B = Batch<Real, Arch>;
+  static constexpr int dimension = Dim;
   const PairSweepView<Real>& view;
   ClusterLanes<Real, Arch> cluster;
   ParticleLanes<B> i;
@@ -60,8 +61,16 @@ struct StoreValues {
   const Sums& sums;
   const decltype(OwnValues::i)& i = own.i;
 
+  static constexpr bool corrected = Sums::set.has(Term::force_correction);
+
   SCARP_INLINE B value(int slot) const { return own.value(slot); }
-  SCARP_INLINE bool has_second() const { return own.view.marked != nullptr; }
+  SCARP_INLINE bool has_marked() const { return own.view.marked != nullptr; }
+  /// Component (a, b) of what the force takes for stress: a its direction, b summed with grad W.
+  SCARP_INLINE B force_stress(int a, int b) const {
+    if constexpr (!corrected) return value(record_stress + tensor_index[a][b]);
+    const int place = corrected_place<OwnValues::dimension>[a][b];
+    return place < 8 ? value(record_stress + place) : second<ForceCorrection>(place - 8);
+  }
   /// Value `c` of term T in the second line.
   template <class T>
   SCARP_INLINE B second(int c) const {
@@ -76,8 +85,15 @@ struct StoreValues {
   }
   /// Writes a folded value, unless nobody asks for it.
   SCARP_INLINE void put(double* out, const B& folded) const { own.cluster.put(out, folded); }
-  /// What the terms beside the momentum do with the stress of the own particles.
-  SCARP_INLINE auto own_stress_part() const { return sums.own_parts(*this); }
+  /// What other terms add to what term T stores.
+  template <class T>
+  SCARP_INLINE auto parts_for() const {
+    return sums.template own_parts<T>(*this);
+  }
+  template <class T>
+  SCARP_INLINE const auto& sums_of() const {
+    return sums.template of<T>();
+  }
 };
 
 /// A pair in the second stage. `Needs` are those of the terms at work on it, `Densities` tells
@@ -85,9 +101,11 @@ struct StoreValues {
 template <class Arch, class Real, int Dim, PairNeeds Needs, bool Densities, class List, class Sums>
 struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real, Arch>, Dim> {
   using B = Batch<Real, Arch>;
+  static constexpr bool corrected = Sums::set.has(Term::force_correction);
   const PairConstants<Real>& constants;
   const ParticleLanes<B>& i;
-  B stress[6];  ///< of j, and of what terms before the momentum add to it
+  /// Of j, and of what terms before the momentum add to it; with the force correction T row by row.
+  B stress[corrected ? Dim * Dim : 6];
 
   SCARP_INLINE PairValues(const PairSweepView<Real>& view, const ParticleLanes<B>& own,
                           const PairGeometry<B, Dim>& geometry, std::int32_t low, std::int32_t high,
@@ -105,8 +123,20 @@ struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real,
     this->density = moving(constant<record_density - record_velocity_x>);
     unrolled<Dim>([&](auto a) SCARP_LAMBDA { this->velocity[a] = i.velocity[a] - moving(a); });
     complete_motion<B, Dim>(*this, *this);
-    if constexpr (Needs.stress)
-      take_tensor<Dim>(records.template quad<record_stress>(), more_, stress);
+    if constexpr (Needs.stress) take_stress(records.template quad<record_stress>());
+  }
+
+  /// Component (a, b) of what the force takes for the stress of j: a its direction, b summed with
+  /// grad W.
+  SCARP_INLINE B& force_stress(int a, int b) {
+    return stress[corrected ? a * Dim + b : tensor_index[a][b]];
+  }
+  /// Any value of the record of j.
+  template <int Slot>
+  SCARP_INLINE B value(std::integral_constant<int, Slot>) const {
+    constexpr int quad = Slot / 4 * 4;
+    return RecordPair<Arch, Real>(view_.records, low_, high_)
+        .template quad<quad>()(constant<Slot - quad>);
   }
 
   SCARP_INLINE B sound_speed() const {
@@ -140,6 +170,26 @@ struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real,
   }
 
  private:
+  template <class Quad>
+  SCARP_INLINE void take_stress(const Quad& first) {
+    if constexpr (corrected) {
+      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+        unrolled<Dim>([&](auto b) SCARP_LAMBDA {
+          constexpr int place = corrected_place<Dim>[a][b];
+          B& out = stress[a * Dim + b];
+          if constexpr (place < 4) {
+            out = first(constant<place>);
+          } else if constexpr (place < 8) {
+            out = more_(constant<place - 4>);
+          } else {
+            out = second<ForceCorrection>(constant<place - 8>);
+          }
+        });
+      });
+    } else {
+      take_tensor<Dim>(first, more_, stress);
+    }
+  }
   template <int First>
   SCARP_INLINE RecordQuad<Real, Arch> second_quad() const {
     return RecordQuad<Real, Arch>(view_.second + std::int64_t{low_} * second_record_size + First,

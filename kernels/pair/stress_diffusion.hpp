@@ -15,7 +15,7 @@ struct StressDiffusion : PairTerm {
   static constexpr const char* name = "stress diffusion";
   static constexpr const char* text = "damps noise of the stress in soil that flows";
   static constexpr PairNeeds needs{.stress = true, .regularised = true};
-  static constexpr bool across_walls = false;
+  static constexpr ActsOn acts_on = ActsOn::soil;
   static constexpr SlotSet reads = stress_slots | diffusivity_slot;
   static constexpr std::array<FieldUse, 2> writes{{{"diffusion_rate", 6}, {"diffusion_slope", 1}}};
   static constexpr std::array<FieldUse, 1> reads_fields{{{"diffusivity", 1}}};

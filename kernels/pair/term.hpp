@@ -16,8 +16,10 @@ enum class Term : std::uint32_t {
   continuity,
   velocity_gradient,
   moment,
+  wall_gradient,
   diffusion,
   artificial_stress,
+  force_correction,
   momentum,
   viscosity
 };
@@ -54,7 +56,7 @@ struct SlotSet {
 
   constexpr SlotSet() = default;
   /// So many slots from `first` on.
-  constexpr SlotSet(RecordSlot first, int count) : bits(((1u << count) - 1) << first) {}
+  constexpr SlotSet(int first, int count) : bits(((1u << count) - 1) << first) {}
   constexpr bool has(int slot) const { return (bits >> slot & 1u) != 0; }
   constexpr SlotSet operator|(SlotSet other) const {
     SlotSet set;
@@ -71,6 +73,7 @@ inline constexpr SlotSet position_slots{record_x, 3}, volume_slot{record_volume,
 struct FieldUse {
   const char* name;
   int components;
+  bool if_stored = false;  ///< read where another term has it stored
 };
 
 /// Values of a pair that several terms may want; a sweep computes those that one of its terms does.
@@ -79,10 +82,11 @@ struct PairNeeds {
   bool regularised = false;  ///< 1/((r/h)^2 + 0.01)
   bool densities = false;    ///< ... over rho_i + rho_j
   bool tension_factor = false;
+  bool smoothing_value = false;  ///< W
 
   constexpr PairNeeds operator|(const PairNeeds& o) const {
     return {stress || o.stress, regularised || o.regularised, densities || o.densities,
-            tension_factor || o.tension_factor};
+            tension_factor || o.tension_factor, smoothing_value || o.smoothing_value};
   }
 };
 
@@ -103,12 +107,16 @@ struct DampingRate {
   double approach = 0.0;  ///< b
 };
 
-/// How the values of a term in the second record line turn under reflection.
-enum class SecondRank { scalars, tensor };
+/// Which pairs of a soil particle a term is summed over.
+enum class ActsOn { all, soil, walls };
+
+/// How the values of a term in the second record line turn under reflection; not at all where they
+/// are packed for images too.
+enum class SecondRank { scalars, tensor, packed };
 
 /// What a term need not say. Beyond this a term has
 ///   term, name           its place in the list; its name in `scarp check` if `text` is not empty
-///   reads                slots of the records of i and j, besides position and volume
+///   reads                slots of the records of i and of soil j, besides position and volume
 ///   writes               fields it stores
 ///   used(settings)       whether a scene sums it
 ///   flops(dimension)     of one pair: a multiply-add counts 2, square root and division 1 each,
@@ -119,13 +127,15 @@ struct PairTerm {
   static constexpr const char* left_out = "";  ///< what it says where a scene does without it
   static constexpr TermSet adds_to{};          ///< terms whose sums it adds to, which it needs
   static constexpr PairNeeds needs{};
-  static constexpr bool across_walls = true;  ///< acts between soil and dummies
+  static constexpr ActsOn acts_on = ActsOn::all;
+  static constexpr SlotSet reads_of_dummies{};  ///< where j is a dummy, besides `reads`
   static constexpr std::array<FieldUse, 0> writes{};
   /// Fields beyond the state of every run; `second_line` gets the arrays of all of them.
   static constexpr std::array<FieldUse, 0> reads_fields{};
-  /// Values it has in the second record line. Such a term adds nothing to a pair whose two lines
-  /// are both zero: blocks of such pairs skip it.
+  /// Values it has in the second record line. If `marked`, it adds nothing to a pair whose two
+  /// lines are both zero: blocks of such pairs skip it. Else 2D does without them.
   static constexpr int second_slots = 0;
+  static constexpr bool marked = true;
   static constexpr SecondRank second_rank = SecondRank::scalars;
   /// Name of its limit on the time step (`step_limit_names`); null: it has none. A dissipative term
   /// has damping(part, direction), what a neighbour in that direction adds to its sum over a

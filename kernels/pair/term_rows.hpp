@@ -17,10 +17,11 @@ struct TermRow {
   const char* text;
   const char* left_out;
   TermSet adds_to;
-  SlotSet reads;
+  SlotSet reads, reads_of_dummies;
   std::span<const FieldUse> reads_fields, writes;
   int first_output;  ///< of its values in PairSweepView::output
   int second_slots;
+  bool marked;
   int first_second;  ///< of its values in the second line
   SecondRank second_rank;
   const char* limit;
@@ -30,7 +31,7 @@ struct TermRow {
   DampingRate (*damping_rate)(const TermSettings&, double scale, double sum);
   /// Values of particle k for the second line into `out`; false, and nothing written, if all are 0.
   /// `fields` are the arrays of `reads_fields`, null where a component is not stored. Null
-  /// function: the term has none there.
+  /// function: the term has none there, or they are packed with the records.
   bool (*second_line)(const TermSettings&, int dimension, const double* const* fields,
                       std::int64_t k, double* out);
 };
@@ -43,10 +44,12 @@ constexpr TermRow term_row() {
               T::left_out,
               T::adds_to,
               T::reads | position_slots | volume_slot,
+              T::reads_of_dummies,
               T::reads_fields,
               T::writes,
               first_output<List, T>,
               T::second_slots,
+              T::marked,
               first_second<List, T>,
               T::second_rank,
               T::limit,
@@ -59,7 +62,7 @@ constexpr TermRow term_row() {
     row.damping = &T::damping;
     row.damping_rate = &T::damping_rate;
   }
-  if constexpr (T::second_slots > 0) row.second_line = &T::second_line;
+  if constexpr (T::second_slots > 0 && T::marked) row.second_line = &T::second_line;
   return row;
 }
 
@@ -89,7 +92,7 @@ constexpr TermSet gradient_terms(TermSet set) {
 /// ... and the half that goes into the force.
 constexpr TermSet force_terms(TermSet set) { return set.without(gradient_terms(set)); }
 
-/// The slots of a record that any term of a set reads.
+/// The slots of a record that any term of a set reads; of dummies also others.
 constexpr SlotSet slots_read(TermSet set) {
   SlotSet slots;
   for (const TermRow& row : term_rows) {

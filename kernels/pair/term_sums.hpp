@@ -40,9 +40,9 @@ class TermSums<B, Dim, Set, TermList<T...>> {
       (static_cast<const Part&>(*this).part.add(a, b, total), ...);
     }
   };
-  template <class Term, class Own>
+  template <class Target, class Term, class Own>
   SCARP_INLINE auto part_of(const Own& own) const {
-    if constexpr (requires { of<Term>().own_part(own); }) {
+    if constexpr (Term::adds_to.has(Target::term) && requires { of<Term>().own_part(own); }) {
       return Tagged<Term, decltype(of<Term>().own_part(own))>{of<Term>().own_part(own)};
     } else {
       return Tagged<Term, NoPart>{};
@@ -50,6 +50,8 @@ class TermSums<B, Dim, Set, TermList<T...>> {
   }
 
  public:
+  static constexpr TermSet set = Set;
+
   template <class Term>
   SCARP_INLINE auto& of() {
     return static_cast<SlotOf<Term>&>(slots_).sums;
@@ -67,10 +69,10 @@ class TermSums<B, Dim, Set, TermList<T...>> {
         }(),
         ...);
   }
-  /// What the terms that have a part of their own in a stored force add to it, together.
-  template <class Own>
+  /// What the terms that have a part of their own in what `Target` stores add to it, together.
+  template <class Target, class Own>
   SCARP_INLINE auto own_parts(const Own& own) const {
-    return Parts<decltype(part_of<T>(own))...>{part_of<T>(own)...};
+    return Parts<decltype(part_of<Target, T>(own))...>{part_of<Target, T>(own)...};
   }
 };
 

@@ -35,9 +35,13 @@ struct VelocityGradient : PairTerm {
     }
     template <class Own>
     SCARP_INLINE void store(const Own& own, double* const* out) const {
+      const auto part = own.template parts_for<VelocityGradient>();
       for (int a = 0; a < Dim; ++a) {
-        for (int b = 0; b < Dim; ++b)
-          own.put(out[3 * a + b], own.fold(-minus_gradient[a * Dim + b]));
+        for (int b = 0; b < Dim; ++b) {
+          B total = own.fold(-minus_gradient[a * Dim + b]);
+          part.add(a, b, total);
+          own.put(out[3 * a + b], total);
+        }
       }
     }
   };

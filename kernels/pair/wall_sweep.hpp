@@ -1,100 +1,260 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Velocity and stress of the dummy particles of walls, extrapolated from the soil near them.
+/// What the dummy particles of walls take from the soil near them.
 #pragma once
 
 #include <algorithm>
 
 #include "kernels/neighbour_block.hpp"
+#include "kernels/pair/force_correction.hpp"
 #include "kernels/pair/pair_geometry.hpp"
 
 namespace scarp::kernels {
 
-/// Equation: B1, v_w = v_wall - min(limit, d_w/d) (v - v_wall), where d_w is the distance of the
-/// dummy to the face, d and v are averages of the soil's, with the weights W_wj. B2, sigma_w =
-/// sum_j [sigma_j - rho_j g.(x_w - x_j) I] W_wj / sum_j W_wj. A dummy without soil in reach
-/// keeps the velocity of its wall and has zero stress. Sweeps clusters [begin, end) of dummies.
-/// Errors: none, hot path.
+/// Weights W_wj below this share of a touching neighbour's make quotients of noise.
+template <class Real>
+inline constexpr Real least_wall_weight = Real(1e-6);
+
+/// The dummies of one cluster, twice: each half of the lanes meets its own entries of the list.
 template <class Arch, class Real, int Dim>
-void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_t end) {
+class DummyCluster {
+ public:
   using B = Batch<Real, Arch>;
-  constexpr int half = cluster_size<Real, Arch>;
-  constexpr int components = Dim == 2 ? 4 : 6;
+  static constexpr int half = cluster_size<Real, Arch>;
   using Quad = RecordQuad<Real, Arch>;
-  for (std::int64_t cluster = begin; cluster < end; ++cluster) {
-    const std::int64_t first = view.first_wall + cluster * half;
-    const Real* faces = view.faces + cluster * half * wall_record_size;
+
+  DummyCluster(const WallSweepView<Real>& view, std::int64_t cluster)
+      : view_(view), cluster_(cluster), first_(view.first_wall + cluster * half) {}
+
+  SCARP_INLINE B load(const Real* values, int stride) const {
     alignas(64) Real lane[2 * half];
-    const auto load = [&](const Real* values, int stride) {
-      for (int l = 0; l < half; ++l) lane[l] = lane[l + half] = values[l * stride];
-      return B::load_aligned(lane);
-    };
-    B position[Dim], normal[Dim];
-    for (int a = 0; a < Dim; ++a) {
-      position[a] = load(view.records + first * record_size + record_x + a, record_size);
-      normal[a] = load(faces + wall_normal_x + a, wall_record_size);
-    }
-    B weight_sum(Real(0)), height_sum(Real(0)), velocity_sums[Dim], sums[components];
-    for (auto& sum : velocity_sums) sum = B(Real(0));
-    for (auto& sum : sums) sum = B(Real(0));
-    const auto add = [&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
-      const Real* p = view.records + std::int64_t{low} * record_size;
-      const Real* r = view.records + std::int64_t{high} * record_size;
-      const Quad where(p + record_x, r + record_x),
-          moving(p + record_velocity_x, r + record_velocity_x);
-      const Quad stresses(p + record_stress, r + record_stress),
-          more(p + record_stress + 4, r + record_stress + 4);
-      B squared(Real(0)), fall(Real(0)), depth(Real(0));
-      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
-        const B offset = position[a] - where(a);
-        squared = xsimd::fma(offset, offset, squared);
-        fall = xsimd::fma(offset, B(view.gravity[a]), fall);
-        depth = xsimd::fma(offset, normal[a], depth);
-      });
-      const B weight = smoothing_value(TruncatedPowers(xsimd::sqrt(squared)), view.smoothing);
-      const B lithostatic = moving(constant<record_density - record_velocity_x>) * fall;
-      weight_sum = weight_sum + weight;
-      height_sum = xsimd::fnma(weight, depth, height_sum);
-      unrolled<Dim>([&](auto a) SCARP_LAMBDA {
-        velocity_sums[a] = xsimd::fma(weight, moving(a), velocity_sums[a]);
-      });
-      B stress[6];
-      take_tensor<Dim>(stresses, more, stress);
-      unrolled<components>([&](auto c) SCARP_LAMBDA {
-        if constexpr (c <= zz) stress[c] = stress[c] - lithostatic;
-        sums[c] = xsimd::fma(weight, stress[c], sums[c]);
-      });
-    };
-    const std::int64_t end_block = view.neighbours.wall_begin[cluster];
-    for (std::int64_t block = view.neighbours.soil_begin[cluster]; block < end_block; ++block) {
-      const NeighbourBlock j(view.neighbours, block);
+    for (int l = 0; l < half; ++l) lane[l] = lane[l + half] = values[l * stride];
+    return B::load_aligned(lane);
+  }
+  SCARP_INLINE B record(int slot) const {
+    return load(view_.records + first_ * record_size + slot, record_size);
+  }
+  SCARP_INLINE B face(int slot) const {
+    return load(view_.faces + cluster_ * half * wall_record_size + slot, wall_record_size);
+  }
+  /// add(low record, high record) for every two entries of the list.
+  template <class Add>
+  SCARP_INLINE void each_pair(Add&& add) const {
+    const std::int64_t end = view_.neighbours.wall_begin[cluster_];
+    for (std::int64_t block = view_.neighbours.soil_begin[cluster_]; block < end; ++block) {
+      const NeighbourBlock j(view_.neighbours, block);
       for (int k = 0; k < entry_block; k += 2) add(j.record[k], j.record[k + 1]);
     }
-    alignas(64) Real weights[2 * half], heights[2 * half];
-    weight_sum.store_aligned(weights);
-    height_sum.store_aligned(heights);
-    // One millionth of a touching neighbour's weight: below it the quotients are noise.
-    const Real least = Real(1e-6) * (view.smoothing.value[0] + view.smoothing.value[1]);
-    for (int l = 0; l < half; ++l) weights[l] += weights[l + half];
-    for (int a = 0; a < Dim; ++a) {
-      velocity_sums[a].store_aligned(lane);
-      for (int l = 0; l < half; ++l) {
-        Real velocity = view.records[(first + l) * record_size + record_velocity_x + a];
-        if (weights[l] > least) {
-          const Real behind = faces[l * wall_record_size + wall_distance];
-          const Real before = (heights[l] + heights[l + half]) / weights[l] - behind;
-          const Real limit = faces[l * wall_record_size + wall_limit];
-          const Real factor = behind / std::max(before, behind / limit);
-          velocity -= factor * ((lane[l] + lane[l + half]) / weights[l] - velocity);
-        }
-        view.velocity[a][cluster * half + l] = static_cast<double>(velocity);
+  }
+  /// Sums over both halves by dummy.
+  SCARP_INLINE void fold(const B& sum, Real (&out)[half]) const {
+    alignas(64) Real lane[2 * half];
+    sum.store_aligned(lane);
+    for (int l = 0; l < half; ++l) out[l] = lane[l] + lane[l + half];
+  }
+  SCARP_INLINE bool has_soil(Real weight) const {
+    return weight > least_wall_weight<Real> * (view_.smoothing.value[0] + view_.smoothing.value[1]);
+  }
+  /// Writes a sum over the weights; zero without soil in reach.
+  SCARP_INLINE void put_average(double* out, const B& sum, const Real (&weights)[half]) const {
+    Real sums[half];
+    fold(sum, sums);
+    for (int l = 0; l < half; ++l)
+      out[cluster_ * half + l] =
+          has_soil(weights[l]) ? static_cast<double>(sums[l] / weights[l]) : 0.0;
+  }
+  std::int64_t first() const { return first_; }
+
+ private:
+  const WallSweepView<Real>& view_;
+  std::int64_t cluster_, first_;
+};
+
+/// Distance of dummies to two records, and what the soil there weighs on the way.
+template <class Arch, class Real, int Dim>
+struct DummyPair {
+  using B = Batch<Real, Arch>;
+  B offset[Dim];  ///< x_w - x_j, in h
+  B squared;
+
+  template <class Quad>
+  SCARP_INLINE DummyPair(const B (&position)[Dim], const Quad& where) : squared(closest<Real>) {
+    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+      offset[a] = position[a] - where(a);
+      squared = xsimd::fma(offset[a], offset[a], squared);
+    });
+  }
+  SCARP_INLINE B along(const Real (&direction)[3]) const {
+    B sum(Real(0));
+    unrolled<Dim>([&](auto a) SCARP_LAMBDA { sum = xsimd::fma(offset[a], B(direction[a]), sum); });
+    return sum;
+  }
+};
+
+/// Equation: B1 where gradients are not corrected: v_w = v_wall - min(limit, d_w/d) (v - v_wall),
+/// where d_w is the distance of the dummy to the face, d and v are averages of the soil's, with the
+/// weights W_wj; and B2, sigma_w = sum_j [sigma_j - rho_j g.(x_w - x_j) I] W_wj / sum_j W_wj. A
+/// dummy without soil in reach keeps the velocity of its wall and has zero stress.
+template <class Arch, class Real, int Dim>
+void extrapolate_dummies(const WallSweepView<Real>& view, std::int64_t cluster) {
+  using B = Batch<Real, Arch>;
+  constexpr int components = Dim == 2 ? 4 : 6;
+  const DummyCluster<Arch, Real, Dim> dummies(view, cluster);
+  constexpr int half = dummies.half;
+  using Quad = RecordQuad<Real, Arch>;
+  B position[Dim], normal[Dim];
+  for (int a = 0; a < Dim; ++a) {
+    position[a] = dummies.record(record_x + a);
+    normal[a] = dummies.face(wall_normal_x + a);
+  }
+  B weight_sum(Real(0)), height_sum(Real(0)), velocity_sums[Dim], sums[components];
+  for (auto& sum : velocity_sums) sum = B(Real(0));
+  for (auto& sum : sums) sum = B(Real(0));
+  dummies.each_pair([&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
+    const Real* p = view.records + std::int64_t{low} * record_size;
+    const Real* r = view.records + std::int64_t{high} * record_size;
+    const Quad moving(p + record_velocity_x, r + record_velocity_x),
+        stresses(p + record_stress, r + record_stress),
+        more(p + record_stress + 4, r + record_stress + 4);
+    const DummyPair<Arch, Real, Dim> pair(position, Quad(p + record_x, r + record_x));
+    B depth(Real(0));
+    unrolled<Dim>([&](auto a)
+                      SCARP_LAMBDA { depth = xsimd::fma(pair.offset[a], normal[a], depth); });
+    const B weight = smoothing_value(TruncatedPowers(xsimd::sqrt(pair.squared)), view.smoothing);
+    const B lithostatic =
+        moving(constant<record_density - record_velocity_x>) * pair.along(view.gravity);
+    weight_sum = weight_sum + weight;
+    height_sum = xsimd::fnma(weight, depth, height_sum);
+    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+      velocity_sums[a] = xsimd::fma(weight, moving(a), velocity_sums[a]);
+    });
+    B stress[6];
+    take_tensor<Dim>(stresses, more, stress);
+    unrolled<components>([&](auto c) SCARP_LAMBDA {
+      if constexpr (c <= zz) stress[c] = stress[c] - lithostatic;
+      sums[c] = xsimd::fma(weight, stress[c], sums[c]);
+    });
+  });
+  Real weights[half], heights[half], velocities[half];
+  dummies.fold(weight_sum, weights);
+  dummies.fold(height_sum, heights);
+  const Real* faces = view.faces + cluster * half * wall_record_size;
+  for (int a = 0; a < Dim; ++a) {
+    dummies.fold(velocity_sums[a], velocities);
+    for (int l = 0; l < half; ++l) {
+      Real velocity = view.records[(dummies.first() + l) * record_size + record_velocity_x + a];
+      if (dummies.has_soil(weights[l])) {
+        const Real behind = faces[l * wall_record_size + wall_distance];
+        const Real before = heights[l] / weights[l] - behind;
+        const Real limit = faces[l * wall_record_size + wall_limit];
+        const Real factor = behind / std::max(before, behind / limit);
+        velocity -= factor * (velocities[l] / weights[l] - velocity);
       }
+      view.velocity[a][cluster * half + l] = static_cast<double>(velocity);
     }
-    for (int c = 0; c < components; ++c) {
-      sums[c].store_aligned(lane);
-      for (int l = 0; l < half; ++l) {
-        view.stress[c][cluster * half + l] =
-            weights[l] > least ? static_cast<double>((lane[l] + lane[l + half]) / weights[l]) : 0.0;
-      }
+  }
+  for (int c = 0; c < components; ++c) dummies.put_average(view.sums[c], sums[c], weights);
+}
+
+/// Equation: B5; G_w/sum_k W_wk with G_w = sum_j V_j (v_wall - v_j) (x) grad_j W_jw [1/s]; zero
+/// without soil in reach.
+template <class Arch, class Real, int Dim>
+void sum_dummy_gradients(const WallSweepView<Real>& view, std::int64_t cluster) {
+  using B = Batch<Real, Arch>;
+  const DummyCluster<Arch, Real, Dim> dummies(view, cluster);
+  constexpr int half = dummies.half;
+  using Quad = RecordQuad<Real, Arch>;
+  B position[Dim], velocity[Dim], weight_sum(Real(0)), sums[Dim * Dim];
+  for (int a = 0; a < Dim; ++a) {
+    position[a] = dummies.record(record_x + a);
+    velocity[a] = dummies.record(record_velocity_x + a);
+  }
+  for (auto& sum : sums) sum = B(Real(0));
+  dummies.each_pair([&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
+    const Real* p = view.records + std::int64_t{low} * record_size;
+    const Real* r = view.records + std::int64_t{high} * record_size;
+    const Quad where(p + record_x, r + record_x),
+        moving(p + record_velocity_x, r + record_velocity_x);
+    const DummyPair<Arch, Real, Dim> pair(position, where);
+    const B inverse_distance = inverse_sqrt(pair.squared);
+    const TruncatedPowers<B> powers(pair.squared * inverse_distance);
+    weight_sum = weight_sum + smoothing_value(powers, view.smoothing);
+    // Times x_w - x_j it is minus V_j grad_j W.
+    const B slope = where(constant<record_volume - record_x>) *
+                    smoothing_slope(powers, view.smoothing) * inverse_distance;
+    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+      const B approach = slope * (moving(a) - velocity[a]);
+      unrolled<Dim>([&](auto b) SCARP_LAMBDA {
+        sums[a * Dim + b] = xsimd::fma(approach, pair.offset[b], sums[a * Dim + b]);
+      });
+    });
+  });
+  Real weights[half];
+  dummies.fold(weight_sum, weights);
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b)
+      dummies.put_average(view.sums[3 * a + b], sums[a * Dim + b], weights);
+  }
+}
+
+/// Equation: B2 for T in place of sigma. The records of the soil hold T (K2).
+template <class Arch, class Real, int Dim>
+void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t cluster) {
+  using B = Batch<Real, Arch>;
+  const DummyCluster<Arch, Real, Dim> dummies(view, cluster);
+  constexpr int half = dummies.half;
+  using Quad = RecordQuad<Real, Arch>;
+  B position[Dim], weight_sum(Real(0)), lithostatic_sum(Real(0)), sums[Dim * Dim];
+  for (int a = 0; a < Dim; ++a) position[a] = dummies.record(record_x + a);
+  for (auto& sum : sums) sum = B(Real(0));
+  dummies.each_pair([&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
+    const Real* p = view.records + std::int64_t{low} * record_size;
+    const Real* r = view.records + std::int64_t{high} * record_size;
+    const Quad stresses(p + record_stress, r + record_stress),
+        more(p + record_stress + 4, r + record_stress + 4),
+        moving(p + record_velocity_x, r + record_velocity_x);
+    const DummyPair<Arch, Real, Dim> pair(position, Quad(p + record_x, r + record_x));
+    const B weight = smoothing_value(TruncatedPowers(xsimd::sqrt(pair.squared)), view.smoothing);
+    weight_sum = weight_sum + weight;
+    lithostatic_sum = xsimd::fma(weight * moving(constant<record_density - record_velocity_x>),
+                                 pair.along(view.gravity), lithostatic_sum);
+    unrolled<Dim>([&](auto a) SCARP_LAMBDA {
+      unrolled<Dim>([&](auto b) SCARP_LAMBDA {
+        constexpr int place = corrected_place<Dim>[a][b];
+        B& sum = sums[a * Dim + b];
+        if constexpr (place < 4) {
+          sum = xsimd::fma(weight, stresses(constant<place>), sum);
+        } else if constexpr (place < 8) {
+          sum = xsimd::fma(weight, more(constant<place - 4>), sum);
+        } else {
+          constexpr int slot = corrected_second + place - 8, quad = slot / 4 * 4;
+          const Quad second(view.second + std::int64_t{low} * second_record_size + quad,
+                            view.second + std::int64_t{high} * second_record_size + quad);
+          sum = xsimd::fma(weight, second(constant<slot - quad>), sum);
+        }
+      });
+    });
+  });
+  Real weights[half];
+  dummies.fold(weight_sum, weights);
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) {
+      B sum = sums[a * Dim + b];
+      if (a == b) sum = sum - lithostatic_sum;
+      dummies.put_average(view.sums[corrected_place<Dim>[a][b]], sum, weights);
+    }
+  }
+}
+
+/// Sweeps clusters [begin, end) of dummies. Errors: none, hot path.
+template <class Arch, class Real, int Dim, WallSums What>
+void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_t end) {
+  for (std::int64_t cluster = begin; cluster < end; ++cluster) {
+    if constexpr (What == WallSums::extrapolation) {
+      extrapolate_dummies<Arch, Real, Dim>(view, cluster);
+    } else if constexpr (What == WallSums::gradient) {
+      sum_dummy_gradients<Arch, Real, Dim>(view, cluster);
+    } else {
+      average_corrected_stress<Arch, Real, Dim>(view, cluster);
     }
   }
 }

@@ -37,10 +37,16 @@ template <int Dim>
 struct CountedPair : kernels::PairGeometry<Counted, Dim>, kernels::PairMotion<Counted, Dim> {
   kernels::ParticleLanes<Counted> i;
   kernels::PairConstants<double> constants{};
+  static constexpr bool corrected = false;
   Counted stress[6];
   kernels::Momentum::Sums<Counted, Dim> momentum;
   bool densities = false;
 
+  Counted& force_stress(int a, int b) { return stress[kernels::tensor_index[a][b]]; }
+  template <int Slot>
+  Counted value(std::integral_constant<int, Slot>) const {
+    return {};
+  }
   Counted sound_speed() const { return {}; }
   Counted diffusivity() const { return {}; }
   Counted inverse_regularised_distance() const { return Counted::after(densities ? 2 : 0); }
@@ -86,7 +92,7 @@ int flops_of_terms(kernels::TermList<T...>, kernels::TermSet set, CountedPair<Di
   (
       [&] {
         typename T::template Sums<Counted, Dim> sums;
-        if (set.has(T::term)) sums.add(pair);
+        if (set.has(T::term) && kernels::is_summed<T>(false)) sums.add(pair);
       }(),
       ...);
   return Counted::flops;

@@ -28,6 +28,17 @@ TEST(KernelTableTest, EveryMachineHasSse2First) {
   for (const Isa isa : available_isas()) EXPECT_EQ(kernels_of(isa).isa, isa);
 }
 
+TEST(KernelTableTest, ASceneIsNeverServedByASweepThatReadsOtherRecords) {
+  const KernelTable& table = kernels_of(available_isas().back());
+  const PairSweep<double> plain = table.sweep_for({3, {Term::momentum}}),
+                          corrected =
+                              table.sweep_for({3, {Term::momentum, Term::force_correction}});
+  ASSERT_NE(plain, nullptr);
+  ASSERT_NE(corrected, nullptr);
+  EXPECT_NE(plain, corrected);
+  EXPECT_EQ(table.sweep_for({3, {Term::velocity_gradient, Term::moment}}), nullptr);
+}
+
 /// Every set of terms that some scene sums.
 std::vector<TermSet> all_scenes() {
   std::vector<TermSet> sets;
@@ -110,17 +121,17 @@ TEST(KernelTableTest, ASweepOfBothHalvesSumsBothOrIsNotThere) {
 TEST(KernelTableTest, StaysSmall) {
   for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
     const KernelTable& table = kernels_of(isa);
-    EXPECT_LE(table.sweeps.size() + table.mixed.size(), 28u) << isa_name(isa);
+    EXPECT_LE(table.sweeps.size() + table.mixed.size(), 30u) << isa_name(isa);
     EXPECT_GT(table.cluster_size, 0);
   }
-  EXPECT_LE(kernels_of(Isa::sse2).sweeps.size(), 6u);
+  EXPECT_LE(kernels_of(Isa::sse2).sweeps.size(), 10u);
 }
 
 TEST(KernelTableTest, EveryEntryIsThere) {
   for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
     const KernelTable& table = kernels_of(isa);
     for (const std::size_t d : {0u, 1u}) {
-      EXPECT_NE(table.wall_sweep[d], nullptr);
+      for (const auto& sweeps : table.wall_sweep) EXPECT_NE(sweeps[d], nullptr);
       for (const ModelInfo& model : models) {
         EXPECT_NE(table.passes_of(model).verlet[d], nullptr) << model.name;
         EXPECT_NE(table.passes_of(model).stress[d], nullptr) << model.name;

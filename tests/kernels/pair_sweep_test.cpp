@@ -89,10 +89,10 @@ void expect_rates(const std::vector<ReferenceRate>& expected, SweepOutput& out,
 }
 
 /// Particles without the parts that a variant does not use.
-std::vector<ReferenceRate> reference_for(ReferenceParticles p, ReferenceSettings s, bool viscosity,
-                                         bool tension) {
-  if (!viscosity) s.viscosity_alpha = s.viscosity_beta = 0.0;
-  if (!tension) {
+std::vector<ReferenceRate> reference_for(ReferenceParticles p, ReferenceSettings s, TermSet terms) {
+  s.corrected = packing_for(terms) != Packing::plain;
+  if (!terms.has(Term::viscosity)) s.viscosity_alpha = s.viscosity_beta = 0.0;
+  if (!terms.has(Term::artificial_stress)) {
     for (auto& r : p.artificial_stress) r = {};
   }
   return pair_sweep_reference(p, s);
@@ -110,25 +110,21 @@ class PairSweepTest : public testing::TestWithParam<SweepCase> {
 };
 
 TEST_P(PairSweepTest, EveryCompiledVariantAgreesWithTheReference) {
-  std::map<std::pair<bool, bool>, std::vector<ReferenceRate>> references;
-  for (const bool viscosity : {false, true}) {
-    for (const bool tension : {false, true}) {
-      references[{viscosity, tension}] = reference_for(particles_, settings_, viscosity, tension);
-    }
-  }
+  std::map<std::uint32_t, std::vector<ReferenceRate>> references;  // by terms
   for (const Isa isa : available_isas()) {
     const KernelTable& table = kernels_of(isa);
-    const PackedParticles packed(particles_, settings_, table.cluster_size);
     for (const CompiledSweep<double>& compiled : table.sweeps) {
       const SweepVariant& v = compiled.variant;
       if (v.dimension != dimension_) continue;
       SCOPED_TRACE(describe(table, v));
+      const PackedParticles packed(particles_, settings_, table.cluster_size, packing_for(v.terms));
       PairSweepView<double> view = packed.sweep_view(v.terms.has(Term::artificial_stress));
       SweepOutput out(packed.slots());
       out.attach(view);
       compiled.sweep(view, 0, packed.soil_clusters());
-      expect_rates(references[{v.terms.has(Term::viscosity), v.terms.has(Term::artificial_stress)}],
-                   out, v, fit_error_);
+      std::vector<ReferenceRate>& expected = references[v.terms.bits];
+      if (expected.empty()) expected = reference_for(particles_, settings_, v.terms);
+      expect_rates(expected, out, v, fit_error_);
     }
   }
 }
@@ -140,19 +136,19 @@ constexpr double mixed_epsilon = 8.0 * 0x1p-24;
 TEST_P(PairSweepTest, EveryMixedVariantAgreesToSinglePrecision) {
   for (const Isa isa : available_isas()) {
     const KernelTable& table = kernels_of(isa);
-    const PackedParticles packed(particles_, settings_, table.mixed_cluster_size);
     for (const CompiledSweep<float>& compiled : table.mixed) {
       const SweepVariant& v = compiled.variant;
       if (v.dimension != dimension_) continue;
       SCOPED_TRACE(describe(table, v));
+      const PackedParticles packed(particles_, settings_, table.mixed_cluster_size,
+                                   packing_for(v.terms));
       PairSweepView<double> wide = packed.sweep_view(v.terms.has(Term::artificial_stress));
       SweepOutput out(packed.slots());
       out.attach(wide);
       NarrowRecords narrow;
       compiled.sweep(narrow.narrow(1, wide, packed.slots() - 1), 0, packed.soil_clusters());
-      expect_rates(reference_for(particles_, settings_, v.terms.has(Term::viscosity),
-                                 v.terms.has(Term::artificial_stress)),
-                   out, v, 1e-6 + fit_error_, mixed_epsilon);
+      expect_rates(reference_for(particles_, settings_, v.terms), out, v, 1e-6 + fit_error_,
+                   mixed_epsilon);
     }
   }
 }
@@ -184,12 +180,15 @@ TEST_P(PairSweepTest, MixedSweepsKnowNoOrigin) {
 TEST_P(PairSweepTest, GeneralVariantsServeScenesThatUseLess) {
   ReferenceSettings inviscid = settings_;
   inviscid.viscosity_alpha = inviscid.viscosity_beta = 0.0;
-  const std::vector<ReferenceRate> expected = reference_for(particles_, settings_, false, false);
+  const std::vector<ReferenceRate> expected = reference_for(particles_, settings_, {});
   for (const Isa isa : available_isas()) {
     const KernelTable& table = kernels_of(isa);
     const PackedParticles packed(particles_, inviscid, table.cluster_size);
     for (const CompiledSweep<double>& compiled : table.sweeps) {
-      if (compiled.variant.dimension != dimension_) continue;
+      // Those that correct read other records, and serve only scenes that do.
+      if (compiled.variant.dimension != dimension_ ||
+          packing_for(compiled.variant.terms) != Packing::plain)
+        continue;
       SCOPED_TRACE(describe(table, compiled.variant));
       PairSweepView<double> view = packed.sweep_view(false);
       SweepOutput out(packed.slots());
@@ -204,11 +203,11 @@ TEST_P(PairSweepTest, GeneralVariantsServeScenesThatUseLess) {
 TEST_P(PairSweepTest, LeavesOutWhatNobodyAsksForAndNothingElseChanges) {
   for (const Isa isa : available_isas()) {
     const KernelTable& table = kernels_of(isa);
-    const PackedParticles packed(particles_, settings_, table.cluster_size);
     for (const CompiledSweep<double>& compiled : table.sweeps) {
       const SweepVariant& v = compiled.variant;
       if (v.dimension != dimension_) continue;
       SCOPED_TRACE(describe(table, v));
+      const PackedParticles packed(particles_, settings_, table.cluster_size, packing_for(v.terms));
       PairSweepView<double> view = packed.sweep_view(v.terms.has(Term::artificial_stress));
       compiled.sweep(view, 0, packed.soil_clusters());  // every pointer is null
       SweepOutput all(packed.slots());

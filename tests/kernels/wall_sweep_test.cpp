@@ -3,7 +3,10 @@
 /// closed form.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "kernels/isa/kernel_table.hpp"
+#include "kernels/pair/force_correction.hpp"
 #include "tests/support/packed_particles.hpp"
 #include "tests/support/particle_blocks.hpp"
 
@@ -26,11 +29,14 @@ ReferenceSettings wall_settings(ReferenceSmoothing smoothing, int dimension) {
 /// Components by dummy, as the wall sweep of one instruction set leaves them.
 struct Swept {
   std::array<std::vector<double>, 3> velocity;
-  std::array<std::vector<double>, 6> stress;
+  std::array<std::vector<double>, 10> stress;  ///< or what else is summed
 };
 
-Swept swept(const KernelTable& table, const ReferenceParticles& p, const ReferenceSettings& s) {
-  const PackedParticles packed(p, s, table.cluster_size);
+Swept swept(const KernelTable& table, const ReferenceParticles& p, const ReferenceSettings& s,
+            WallSums what = WallSums::extrapolation) {
+  const PackedParticles packed(
+      p, s, table.cluster_size,
+      what == WallSums::corrected_stress ? Packing::corrected_force : Packing::plain);
   Swept out;
   WallSweepView<double> view = packed.wall_view();
   const auto slots = static_cast<std::size_t>(packed.wall_clusters() * table.cluster_size);
@@ -38,11 +44,12 @@ Swept swept(const KernelTable& table, const ReferenceParticles& p, const Referen
     out.velocity[a].assign(slots, 7.0);
     view.velocity[a] = s.dimension == 2 && a > 1 ? nullptr : out.velocity[a].data();
   }
-  for (std::size_t c = 0; c < 6; ++c) {
+  for (std::size_t c = 0; c < out.stress.size(); ++c) {
     out.stress[c].assign(slots, 1.0);
-    view.stress[c] = s.dimension == 2 && c > 3 ? nullptr : out.stress[c].data();
+    view.sums[c] = out.stress[c].data();
   }
-  table.wall_sweep[static_cast<std::size_t>(s.dimension - 2)](view, 0, packed.wall_clusters());
+  table.wall_sweep[static_cast<std::size_t>(what)][static_cast<std::size_t>(s.dimension - 2)](
+      view, 0, packed.wall_clusters());
   return out;
 }
 
@@ -77,6 +84,25 @@ TEST(WallSweepTest, AgreesWithTheReference) {
                         1e-10 * expected[w].velocity[a].largest)
                 << isa_name(isa) << " " << form_of(smoothing).name << " " << dimension << "D dummy "
                 << w << " component " << a;
+          }
+        }
+        const auto gradient = swept(kernels_of(isa), p, s, WallSums::gradient),
+                   stress = swept(kernels_of(isa), p, s, WallSums::corrected_stress);
+        // The sweep sums over weights in units of alpha_D / h^d.
+        const double unit =
+            form_of(smoothing).normalisation(dimension) / std::pow(s.smoothing_length, dimension);
+        for (std::size_t w = 0; w < expected.size(); ++w) {
+          for (int a = 0; a < dimension; ++a) {
+            for (int b = 0; b < dimension; ++b) {
+              const auto c = static_cast<std::size_t>(3 * a + b);
+              const auto place = static_cast<std::size_t>(corrected_place_of(dimension, a, b));
+              ASSERT_NEAR(gradient.stress[c][w] / unit, expected[w].gradient[c].value,
+                          1e-10 * expected[w].gradient[c].largest)
+                  << isa_name(isa) << " " << dimension << "D dummy " << w << " component " << c;
+              ASSERT_NEAR(stress.stress[place][w], expected[w].force_stress[c].value,
+                          1e-10 * expected[w].force_stress[c].largest)
+                  << isa_name(isa) << " " << dimension << "D dummy " << w << " component " << c;
+            }
           }
         }
       }

@@ -48,13 +48,22 @@ struct PackedLists {
   }
 };
 
+/// What the records are packed for: where gradients are corrected, the sweeps of gradients and of
+/// forces find different values in them.
+enum class Packing { plain, corrected_gradient, corrected_force };
+inline Packing packing_for(kernels::TermSet terms) {
+  if (terms.has(kernels::Term::wall_gradient)) return Packing::corrected_gradient;
+  return terms.has(kernels::Term::force_correction) ? Packing::corrected_force : Packing::plain;
+}
+
 /// Records and lists for one cluster size. Slots: soil and its padding, dummies and theirs, mirror
 /// images, the far record.
 class PackedParticles {
  public:
   PackedParticles(const kernels::ReferenceParticles& particles,
-                  const kernels::ReferenceSettings& settings, int cluster_size)
-      : settings_(settings), cluster_size_(cluster_size) {
+                  const kernels::ReferenceSettings& settings, int cluster_size,
+                  Packing packing = Packing::plain)
+      : settings_(settings), cluster_size_(cluster_size), packing_(packing) {
     const auto padded = [&](std::size_t count) {
       return (static_cast<std::int64_t>(count) + cluster_size - 1) / cluster_size * cluster_size;
     };
@@ -73,19 +82,18 @@ class PackedParticles {
   std::int64_t soil_clusters() const { return first_wall_ / cluster_size_; }
   std::int64_t wall_clusters() const { return (first_image_ - first_wall_) / cluster_size_; }
   std::int64_t first_wall() const { return first_wall_; }
+  bool is_dummy(std::int64_t slot) const { return slot >= first_wall_ && slot < first_image_; }
   std::int64_t slots() const { return far_record_ + 1; }
   double* record(std::int64_t slot) { return records_.data() + slot * kernels::record_size; }
   double* second(std::int64_t slot) { return second_.data() + slot * kernels::second_record_size; }
   std::uint8_t& mark(std::int64_t slot) { return marked_[static_cast<std::size_t>(slot)]; }
 
-  /// View without outputs; without second lines there is no artificial stress.
-  kernels::PairSweepView<double> sweep_view(bool with_second) const {
+  /// View without outputs; without marks there is no artificial stress.
+  kernels::PairSweepView<double> sweep_view(bool with_marks) const {
     kernels::PairSweepView<double> view{};
     view.records = records_.data();
-    if (with_second) {
-      view.second = second_.data();
-      view.marked = marked_.data();
-    }
+    if (with_marks || packing_ == Packing::corrected_force) view.second = second_.data();
+    if (with_marks) view.marked = marked_.data();
     view.clusters = clusters_.data();
     view.neighbours = lists_.view();
     view.smoothing_length = settings_.smoothing_length;
@@ -106,6 +114,7 @@ class PackedParticles {
   kernels::WallSweepView<double> wall_view() const {
     kernels::WallSweepView<double> view{};
     view.records = records_.data();
+    view.second = second_.data();
     view.neighbours = wall_lists_.view();
     view.smoothing = smoothing_view(form_of(settings_.smoothing));
     for (int a = 0; a < 3; ++a) {
@@ -148,6 +157,30 @@ class PackedParticles {
         r[record_stress + c] = p.stress[k][c];
         t[c] = p.density[k] * p.artificial_stress[k][c];
         if (t[c] != 0.0) marked_[static_cast<std::size_t>(slot_of(k))] = 1;
+      }
+      if (packing_ == Packing::corrected_force) {
+        if (dimension == 2) t[zz] = t[xy];  // R B with B = I here
+        for (int a = 0; a < dimension; ++a) {
+          for (int b = 0; b < dimension; ++b) {
+            const int place = corrected_place_of(dimension, a, b);
+            (place < 8 ? r[record_stress + place]
+                       : second(slot_of(k))[corrected_second + place - 8]) =
+                p.force_stress[k][static_cast<std::size_t>(3 * a + b)];
+          }
+        }
+      }
+      if (packing_ == Packing::corrected_gradient && p.is_wall(k)) {
+        // The sweep knows W in units of alpha_D / h^d.
+        const double unit =
+            form_of(settings_.smoothing).normalisation(dimension) / std::pow(h, dimension);
+        for (int a = 0; a < dimension; ++a) {
+          for (int b = 0; b < dimension; ++b) {
+            const int place =
+                dimension == 2 ? wall_gradient_place<2>[a][b] : wall_gradient_place<3>[a][b];
+            r[record_density + place] =
+                gradient_factor * unit * p.wall_gradient[k][static_cast<std::size_t>(3 * a + b)];
+          }
+        }
       }
       if (p.is_wall(k)) {
         double* w = faces_.data() + (slot_of(k) - first_wall_) * wall_record_size;
@@ -205,6 +238,7 @@ class PackedParticles {
 
   kernels::ReferenceSettings settings_;
   int cluster_size_;
+  Packing packing_;
   std::size_t soil_count_ = 0, wall_count_ = 0;
   std::int64_t first_wall_ = 0, first_image_ = 0, far_record_ = 0;
   AlignedVector<double> records_, second_, faces_;

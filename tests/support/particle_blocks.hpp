@@ -20,7 +20,7 @@ struct BlockOptions {
 /// of a moving wall and beside mirror images of its first columns; one stray particle far off. 2D:
 /// no xz, yz stress.
 inline kernels::ReferenceParticles random_block(const BlockOptions& o, unsigned seed) {
-  std::mt19937 engine(seed);
+  std::mt19937 engine(seed), corrected(seed + 1000);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   kernels::ReferenceParticles p;
   const double dx = o.spacing;
@@ -42,6 +42,15 @@ inline kernels::ReferenceParticles random_block(const BlockOptions& o, unsigned 
     p.stress.push_back(stress);
     p.artificial_stress.push_back(artificial);
     p.face.emplace_back();
+    // From a source of its own, so that all else is as without it.
+    std::array<double, 9> force_stress{}, wall_gradient{};
+    for (std::size_t c = 0; c < 9; ++c) {
+      if (o.dimension == 2 && (c % 3 == 2 || c / 3 == 2)) continue;
+      force_stress[c] = 1e5 * unit(corrected);
+      if (!soil) wall_gradient[c] = std::pow(dx, o.dimension) * unit(corrected);
+    }
+    p.force_stress.push_back(force_stress);
+    p.wall_gradient.push_back(wall_gradient);
   };
   const int depth = o.dimension == 3 ? o.cells : 1;
   for (int k = 0; k < depth; ++k) {
@@ -77,6 +86,10 @@ inline kernels::ReferenceParticles random_block(const BlockOptions& o, unsigned 
       image[5] = -image[5];
       tensor->push_back(image);
     }
+    std::array<double, 9> image = p.force_stress[k];
+    for (const std::size_t c : {1u, 2u, 3u, 6u}) image[c] = -image[c];
+    p.force_stress.push_back(image);
+    p.wall_gradient.push_back({});
     p.face.emplace_back();
   }
   return p;

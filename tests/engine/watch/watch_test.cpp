@@ -142,7 +142,8 @@ TEST(WatchTest, GrainsThatPassAFaceAreNamed) {
   scene.materials[0].model.set("youngs_modulus", 1e4);
   scene.stages[0].damping = 0.0;
   State state = make_state(scene, {1, {}});
-  for (const Phase& phase : phases_of(state.scene.numerics.integrator).stage_start)
+  for (const Phase& phase :
+       phases_of(state.scene.numerics.integrator, state.kernels.corrects_forces()).stage_start)
     phase.run(state);  // lists stand
   watch_walls(state);
   double* y = state.particles.component(Field::position, 1);

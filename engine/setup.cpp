@@ -155,6 +155,7 @@ void set_pair_constants(State& state) {
   c.smoothing.value_inner = form.value_inner;
   c.viscosity_alpha = n.viscosity_alpha;
   c.viscosity_beta = n.viscosity_beta;
+  c.hourglass_viscosity = n.hourglass_viscosity;
   for (std::size_t a = 0; a < 3; ++a)
     c.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
   if (state.kernels.terms.has(kernels::Term::artificial_stress))

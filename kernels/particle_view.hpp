@@ -59,6 +59,8 @@ inline constexpr double extrapolation_limit_near_edge = 0.5;
 /// A second line of a record for terms that need more of particle j: each has its own values there
 /// (PairTerm::second_slots). Packed only where a term of the run reads it.
 inline constexpr int second_record_size = 8;
+/// The same for values that every pair reads; in 3D alone.
+inline constexpr int extra_record_size = 8;
 /// Values by particle that all pair terms of a sweep may write together.
 inline constexpr int most_outputs = 32;
 
@@ -112,6 +114,7 @@ struct PairConstants {
   SmoothingView<Real> smoothing;
   Real viscosity_alpha;
   Real viscosity_beta;
+  Real hourglass_viscosity;
   Real gravity[3];  ///< times h [m2/s2], for the lithostatic part of diffusion
   TensionFactorView<Real> tension_factor;
 };
@@ -122,6 +125,7 @@ template <class Real>
 struct PairSweepView {
   const Real* records;           ///< soil, dummies, mirror images, far record; x record_size
   const Real* second;            ///< second lines, x second_record_size; null: no term reads them
+  const Real* extra;             ///< extra lines, x extra_record_size; null: no term reads them
   const std::uint8_t* marked;    ///< 1 where the second line is not zero
   const std::int32_t* clusters;  ///< the active ones
   NeighbourView neighbours;
@@ -148,6 +152,7 @@ struct ParticleView {
   double* diffusivity;     ///< D of the stress diffusion [m2/s]
   const double* density_rate;
   const double* velocity_gradient[9];
+  double* strain_rate[6];  ///< of the corrected gradient, for the hourglass viscosity [1/s]
   double* moment[6];  ///< kick-drift-kick turns it to the end of the step
   const double* acceleration[3];
   const double* diffusion_rate[6];
@@ -223,7 +228,7 @@ inline constexpr int wall_sums_count = 3;
 template <class Real>
 struct WallSweepView {
   const Real* records;
-  const Real* second;        ///< second lines; null: none
+  const Real* extra;         ///< extra lines; null: none
   NeighbourView neighbours;  ///< clusters of dummies, entries in the soil range
   SmoothingView<Real> smoothing;
   Real gravity[3];          ///< g times h [m2/s2]

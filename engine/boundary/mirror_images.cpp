@@ -204,7 +204,12 @@ void MirrorImages::pack_corrected(Records& records, const Mirrors& mirrors,
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) t.m[a][b] += added.m[a][b];
     }
-    records.put_corrected_stress(first + static_cast<std::int64_t>(g), dimension, t);
+    const std::int64_t target = first + static_cast<std::int64_t>(g);
+    records.put_corrected_stress(target, dimension, t);
+    if (soil.has(Field::strain_rate))
+      records.put_strain_rate(
+          target, dimension,
+          rotated(records.strain_rate(source_record(records, g), dimension), mirror));
   }
 }
 

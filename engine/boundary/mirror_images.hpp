@@ -49,7 +49,7 @@ class MirrorImages {
   };
   /// Records of the images from those of their sources.
   void pack(Records& records, const Mirrors& mirrors) const;
-  /// ... that hold T = sigma B: (R sigma R + weight)(R B R). Equation: B3, K2.
+  /// ... that hold T = sigma B: (R sigma R + weight)(R B R). Equation: B3, K3.
   void pack_corrected(Records& records, const Mirrors& mirrors, const ParticleBuffers& soil) const;
   /// Second lines of the images from those of their sources.
   void pack_second(Records& records, kernels::TermSet terms, int dimension) const;

@@ -37,7 +37,7 @@ std::vector<WallReaction> wall_reactions(const State& state) {
   NarrowRecords narrow;
   kernels::PairSweepView<double> view = sweep_input_view(state);
   // As in the step's own sweep; second lines of zeros leave the force as it is.
-  state.sweep.records.fill(view, state.sweep.records.has_marked());
+  state.sweep.records.fill(view, state.sweep.records.has_second());
   double** out = view.output + output_place(Field::acceleration);
   for (std::size_t a = 0; a < 3; ++a) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);

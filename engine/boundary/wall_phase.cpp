@@ -40,7 +40,7 @@ void extrapolate_walls(State& state) {
   if (state.boundary.walls.count() == 0) return;
   kernels::WallSweepView<double> view{};
   view.records = state.sweep.records.records();
-  view.second = state.sweep.records.second_lines();
+  view.extra = state.sweep.records.extra_lines();
   view.first_wall = state.sweep.records.layout()[Role::dummy].first;
   view.neighbours = state.neighbours.wall_lists.view();
   view.smoothing = state.sweep.constants.smoothing;

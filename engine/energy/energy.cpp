@@ -100,7 +100,7 @@ void sample_energy(State& state) {
   }
   const auto power_of = [&](bool viscosity, bool tension) {
     if (!viscosity) view.constants.viscosity_alpha = view.constants.viscosity_beta = 0.0;
-    state.sweep.records.fill(view, tension && state.sweep.records.has_marked());
+    state.sweep.records.fill(view, tension && state.sweep.records.has_second());
     sweep_force_with(state, view, state.sweep.narrow_records);
     return power(state, acceleration);
   };
@@ -108,7 +108,7 @@ void sample_energy(State& state) {
   const double without_viscosity =
       state.kernels.terms.has(kernels::Term::viscosity) ? power_of(false, true) : total;
   const double stress_only =
-      state.sweep.records.has_marked() ? power_of(false, false) : without_viscosity;
+      state.sweep.records.has_second() ? power_of(false, false) : without_viscosity;
   ForcePowers now;
   now.viscous = without_viscosity - total;
   now.artificial_stress = stress_only - without_viscosity;

@@ -39,8 +39,8 @@ void advance_stress(State& state);    ///< stress and density over the step
 namespace phases {
 
 inline constexpr DataSet point_history{
-    Field::density,     Field::stress,       Field::diffusivity,   Part::history,
-    Field::stress_work, Field::plastic_work, Field::diffusion_work};
+    Field::density, Field::stress,      Field::diffusivity,  Field::strain_rate,
+    Part::history,  Field::stress_work, Field::plastic_work, Field::diffusion_work};
 inline constexpr DataSet verlet_levels{Field::position, Field::velocity, Field::previous_velocity,
                                        Field::previous_density, Field::previous_stress};
 inline constexpr Phase choose_time_step{

@@ -117,10 +117,16 @@ AdmissibleStep admissible_step(const StateExtremes& extremes, const DampingRates
     if (time_step < step.time_step) step = {time_step, limit};
   };
   if (acceleration > 0.0) bound(std::sqrt(smoothing_length / acceleration), StepLimit::force);
+  // Terms with the same limit damp the same waves: their rates add up.
+  std::array<double, std::size(step_limit_names)> damping{};
   for (const auto& [term, limit] : term_limits) {
     const kernels::DampingRate& rate = rates[static_cast<std::size_t>(term)];
-    const double damping = rate.signal * signal + rate.approach * extremes.approach;
-    if (damping > 0.0) bound(smoothing_length / damping, limit);
+    damping[static_cast<std::size_t>(limit)] +=
+        rate.signal * signal + rate.approach * extremes.approach;
+  }
+  for (std::size_t limit = 0; limit < damping.size(); ++limit) {
+    if (damping[limit] > 0.0)
+      bound(smoothing_length / damping[limit], static_cast<StepLimit>(limit));
   }
   step.time_step *= cfl;
   return step;

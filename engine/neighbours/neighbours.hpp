@@ -24,7 +24,7 @@ struct Neighbours {
 /// Records of the soil, and how far it has moved since the lists were built.
 void pack_soil(State& state);
 /// The same for a sweep of forces, which where gradients are corrected takes T = sigma B for the
-/// stress. Equation: K2.
+/// stress. Equation: K3.
 void pack_forces(State& state);
 /// Whether two particles, or one and a wall, may have come into reach that no list names.
 bool lists_are_outdated(const State& state);
@@ -44,15 +44,17 @@ inline constexpr DataSet packed_fields{Field::position, Field::velocity, Field::
                                        Field::stress, Field::diffusivity};
 inline constexpr Phase pack_soil{"pack_soil", packed_fields | DataSet(Field::build_position),
                                  Part::records, scarp::pack_soil};
-inline constexpr Phase pack_forces{"pack_forces",
-                                   packed_fields | DataSet(Field::build_position, Field::moment),
-                                   Part::records, scarp::pack_forces};
+inline constexpr Phase pack_forces{
+    "pack_forces",
+    packed_fields | DataSet(Field::build_position, Field::moment, Field::strain_rate),
+    Part::records, scarp::pack_forces};
 inline constexpr Phase decide_rebuild{"decide_rebuild", {}, {}, scarp::decide_rebuild};
 inline constexpr Phase rebuild_lists{
     "rebuild_lists", state_fields | DataSet(Part::walls),
     state_fields | DataSet(Part::records, Part::lists, Part::walls), scarp::rebuild_lists};
 inline constexpr Phase pack_images{
-    "pack_images", packed_fields | DataSet(Field::moment, Part::records, Part::walls),
+    "pack_images",
+    packed_fields | DataSet(Field::moment, Field::strain_rate, Part::records, Part::walls),
     Part::records, scarp::pack_images};
 
 }  // namespace phases

@@ -115,6 +115,10 @@ inline constexpr NumericsRow numerics_list[] = {
     detail::number<&Numerics::viscosity_beta>(
         "viscosity_beta", {0.0, 100.0}, 0.0, "-",
         "beta of the artificial viscosity, Eq. 26; 2 for impacts"),
+    detail::number<&Numerics::hourglass_viscosity>(
+        "hourglass_viscosity", {0.0, 100.0}, 0.0, "-",
+        "viscosity that damps what the velocity gradient does not see; 0 leaves it out; acts with "
+        "`gradient_correction`"),
     detail::number<&Numerics::artificial_stress>("artificial_stress", {0.0, 10.0}, 0.3, "-",
                                                  "epsilon of Eq. 27; 0 leaves the term out"),
     detail::number<&Numerics::artificial_stress_exponent>(

@@ -61,9 +61,10 @@ struct Numerics {
   bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
   bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
   StressRotation stress_rotation = StressRotation::hughes_winget;
-  double viscosity_alpha = 0.1;    ///< Eq. 26 [-]
-  double viscosity_beta = 0.0;     ///< Eq. 26 [-]
-  double artificial_stress = 0.0;  ///< epsilon of Eq. 27 [-]; 0 leaves the term out
+  double viscosity_alpha = 0.1;      ///< Eq. 26 [-]
+  double viscosity_beta = 0.0;       ///< Eq. 26 [-]
+  double hourglass_viscosity = 0.1;  ///< V1 [-]; 0 leaves it out; acts with `gradient_correction`
+  double artificial_stress = 0.0;    ///< epsilon of Eq. 27 [-]; 0 leaves the term out
   std::optional<double> artificial_stress_exponent{};  ///< n of Eq. 20 [-]; empty: W(0)/W(dx)
   double stress_diffusion = 0.1;       ///< cap of the diffusivity in h c [-]; 0 leaves it out
   double diffusion_shear_gate = 20.0;  ///< diffusivity per h^2 |shear rate| [-]

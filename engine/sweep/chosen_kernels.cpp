@@ -40,6 +40,7 @@ kernels::TermSettings term_settings(const Numerics& n, bool yields) {
   settings.yields = yields;
   settings.viscosity_alpha = n.viscosity_alpha;
   settings.viscosity_beta = n.viscosity_beta;
+  settings.hourglass_viscosity = n.hourglass_viscosity;
   settings.artificial_stress = n.artificial_stress;
   settings.stress_diffusion = n.stress_diffusion;
   return settings;

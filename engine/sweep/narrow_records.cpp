@@ -32,6 +32,7 @@ PairConstants<float> narrowed(const PairConstants<double>& wide) {
   out.smoothing = narrowed(wide.smoothing);
   out.viscosity_alpha = static_cast<float>(wide.viscosity_alpha);
   out.viscosity_beta = static_cast<float>(wide.viscosity_beta);
+  out.hourglass_viscosity = static_cast<float>(wide.hourglass_viscosity);
   for (int a = 0; a < 3; ++a) out.gravity[a] = static_cast<float>(wide.gravity[a]);
   const auto narrow = [](double value) { return static_cast<float>(value); };
   std::ranges::transform(wide.tension_factor.outer, out.tension_factor.outer, narrow);
@@ -81,16 +82,19 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
                       [](std::int64_t& all, std::int64_t part) { all = std::min(all, part); });
   out_of_reach_ = first < none ? std::optional(first) : std::nullopt;
   PairSweepView<float> out{};
-  if (view.second != nullptr) {
-    const std::int64_t size = count * second_record_size;
-    second_.resize(static_cast<std::size_t>(size));
-    parallel_chunks(threads, size, particle_chunk * second_record_size,
+  const auto narrow_lines = [&](const double* from, int size,
+                                AlignedVector<float>& to) -> const float* {
+    if (from == nullptr) return nullptr;
+    to.resize(static_cast<std::size_t>(count * size));
+    parallel_chunks(threads, count * size, particle_chunk * size,
                     [&](std::int64_t begin, std::int64_t end) {
                       for (std::int64_t k = begin; k < end; ++k)
-                        second_[static_cast<std::size_t>(k)] = static_cast<float>(view.second[k]);
+                        to[static_cast<std::size_t>(k)] = static_cast<float>(from[k]);
                     });
-    out.second = second_.data();
-  }
+    return to.data();
+  };
+  out.second = narrow_lines(view.second, second_record_size, second_);
+  out.extra = narrow_lines(view.extra, extra_record_size, extra_);
   out.records = records_.data();
   out.marked = view.marked;
   out.clusters = view.clusters;
@@ -102,7 +106,7 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
 }
 
 std::size_t NarrowRecords::bytes() const {
-  return (records_.size() + second_.size()) * sizeof(float);
+  return (records_.size() + second_.size() + extra_.size()) * sizeof(float);
 }
 
 }  // namespace scarp

@@ -24,7 +24,7 @@ class NarrowRecords {
   std::size_t bytes() const;
 
  private:
-  AlignedVector<float> records_, second_;
+  AlignedVector<float> records_, second_, extra_;
   std::optional<std::int64_t> out_of_reach_;
 };
 

@@ -65,7 +65,7 @@ void run_force_sweep(State& state, const ChosenSweep& sweep) {
   Records& records = state.sweep.records;
   const bool marked =
       pack_second_lines(state.threads, {state.particles, state.ghosts}, state.kernels, records);
-  if (records.has_marked())
+  if (records.has_second())
     state.boundary.images.pack_second(records, state.kernels.terms, state.scene.dimension);
   records.fill(view, marked);
   run(state, marked ? sweep.whole : sweep.unmarked, view, state.sweep.narrow_records);
@@ -111,6 +111,7 @@ kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& mode
   view.diffusion_work = p.component(Field::diffusion_work);
   view.diffusivity = p.component(Field::diffusivity);
   p.components(Field::moment, view.moment);
+  p.components(Field::strain_rate, view.strain_rate);
   const ParticleBuffers& rates = p;
   view.density_rate = rates.component(Field::density_rate);
   rates.components(Field::velocity_gradient, view.velocity_gradient);

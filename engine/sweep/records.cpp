@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/parallel.hpp"
-#include "kernels/pair/force_correction.hpp"
+#include "kernels/pair/list.hpp"
 
 namespace scarp {
 
@@ -37,33 +37,35 @@ void Records::resize(std::int64_t ghosts, std::int64_t images) {
     record(k)[record_x] = far_away;
     record(k)[record_density] = 1.0;
   }
-  if (!second_.empty()) {
+  if (has_second()) {
     take_second();
     std::fill(second_.begin() + kept * second_record_size, second_.end(), 0.0);
-  }
-  if (has_marked()) {
-    take_marked();
     std::fill(marked_.begin() + kept, marked_.end(), std::uint8_t{0});
+  }
+  if (!extra_.empty()) {
+    take_extra();
+    std::fill(extra_.begin() + kept * extra_record_size, extra_.end(), 0.0);
   }
 }
 
 double Records::pack(int threads, Role role, const ParticleBuffers& particles,
                      const RecordScaling& scaling, SlotSet read, StressForm form) {
   const int dimension = particles.dimension();
-  const double *position[3], *velocity[3], *built[3], *stress[6], *moment[6];
+  const double *position[3], *velocity[3], *built[3], *stress[6], *moment[6], *strain_rate[6];
   particles.components(Field::position, position);
   particles.components(Field::velocity, velocity);
   particles.components(Field::build_position, built);
   particles.components(Field::stress, stress);
   particles.components(Field::moment, moment);
-  if (form == StressForm::corrected && dimension == 3) take_second();
+  particles.components(Field::strain_rate, strain_rate);
+  if (form == StressForm::corrected && dimension == 3) take_extra();
   form_ = form;
   const double* density = particles.component(Field::density);
   const double* diffusivity = read.has(record_diffusivity) && form == StressForm::plain
                                   ? particles.component(Field::diffusivity)
                                   : nullptr;
   const bool sound_speed = read.has(record_sound_speed);
-  const double scale = scaling.inverse_smoothing_length;
+  const double scale = scaling.inverse_smoothing_length, half_length = 0.5 / scale;
   const bool moves = built[0] != nullptr;
   const std::int64_t first_record = layout_[role].first;
   double* const first = record(first_record);
@@ -91,6 +93,8 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
           put_corrected_stress(
               first_record + k, dimension,
               kernels::corrected_stress(tensor_of(stress, k), inverse_moment(moment, k)));
+          if (strain_rate[xx] != nullptr)
+            put_strain_rate(first_record + k, dimension, half_length * tensor_of(strain_rate, k));
           continue;
         }
         for (int c = 0; c < (dimension == 2 ? 4 : 6); ++c) r[record_stress + c] = stress[c][k];
@@ -109,10 +113,10 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
 
 void Records::take_second() {
   second_.resize(static_cast<std::size_t>(layout_.records()) * second_record_size, 0.0);
-}
-void Records::take_marked() {
-  take_second();
   marked_.resize(static_cast<std::size_t>(layout_.records()), 0);
+}
+void Records::take_extra() {
+  extra_.resize(static_cast<std::size_t>(layout_.records()) * extra_record_size, 0.0);
 }
 
 SymTensor<double> inverse_moment(const double* const (&moment)[6], std::int64_t k) {
@@ -123,7 +127,7 @@ SymTensor<double> inverse_moment(const double* const (&moment)[6], std::int64_t 
 
 double* Records::corrected_value(std::int64_t index, int place) {
   return place < 8 ? record(index) + record_stress + place
-                   : second(index) + corrected_second + place - 8;
+                   : extra_.data() + index * extra_record_size + corrected_extra + place - 8;
 }
 void Records::put_corrected_stress(std::int64_t index, int dimension, const Tensor<double>& t) {
   for (int a = 0; a < dimension; ++a) {
@@ -131,29 +135,45 @@ void Records::put_corrected_stress(std::int64_t index, int dimension, const Tens
       *corrected_value(index, corrected_place_of(dimension, a, b)) = t.m[a][b];
   }
 }
-Tensor<double> Records::corrected_stress(std::int64_t index, int dimension) const {
+Tensor<double> Records::corrected_stress(std::int64_t index, int dimension) {
   Tensor<double> t{};
   for (int a = 0; a < dimension; ++a) {
-    for (int b = 0; b < dimension; ++b) {
-      const int place = corrected_place_of(dimension, a, b);
-      t.m[a][b] =
-          place < 8
-              ? records_[static_cast<std::size_t>(index * record_size + record_stress + place)]
-              : second_[static_cast<std::size_t>(index * second_record_size + corrected_second +
-                                                 place - 8)];
-    }
+    for (int b = 0; b < dimension; ++b)
+      t.m[a][b] = *corrected_value(index, corrected_place_of(dimension, a, b));
   }
   return t;
 }
 
+double* Records::strain_rate_value(std::int64_t index, int dimension, int a, int b) {
+  if (dimension == 2) return record(index) + record_stress + strain_rate_place[a][b];
+  return extra_.data() + index * extra_record_size + first_second<PairTerms, HourglassViscosity> +
+         tensor_index[a][b];
+}
+void Records::put_strain_rate(std::int64_t index, int dimension, const SymTensor<double>& d) {
+  const double all[6] = {d.xx, d.yy, d.zz, d.xy, d.yz, d.zx};
+  for (int a = 0; a < dimension; ++a) {
+    for (int b = a; b < dimension; ++b)
+      *strain_rate_value(index, dimension, a, b) = all[tensor_index[a][b]];
+  }
+}
+SymTensor<double> Records::strain_rate(std::int64_t index, int dimension) {
+  double all[6] = {};
+  for (int a = 0; a < dimension; ++a) {
+    for (int b = a; b < dimension; ++b)
+      all[tensor_index[a][b]] = *strain_rate_value(index, dimension, a, b);
+  }
+  return {all[xx], all[yy], all[zz], all[xy], all[yz], all[zx]};
+}
+
 void Records::fill(PairSweepView<double>& view, bool with_marks) const {
   view.records = records_.data();
-  view.second = with_marks || form_ == StressForm::corrected ? second_lines() : nullptr;
+  view.second = with_marks ? second_.data() : nullptr;
   view.marked = with_marks ? marked_.data() : nullptr;
+  view.extra = form_ == StressForm::corrected ? extra_lines() : nullptr;
 }
 
 std::size_t Records::bytes() const {
-  return (records_.size() + second_.size()) * sizeof(double) + marked_.size();
+  return (records_.size() + second_.size() + extra_.size()) * sizeof(double) + marked_.size();
 }
 
 }  // namespace scarp

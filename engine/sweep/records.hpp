@@ -22,7 +22,7 @@ struct RecordScaling {
 };
 
 /// What the stress slots of the soil's records hold: the stress, or T = sigma B, which the force is
-/// summed of where gradients are corrected (K2).
+/// summed of where gradients are corrected (K3).
 enum class StressForm { plain, corrected };
 
 /// A position no particle is near: b = max(2-q, 0) is 0 and every product stays finite.
@@ -50,33 +50,37 @@ class Records {
   /// How the soil was packed last.
   StressForm stress_form() const { return form_; }
   /// T of a record, and another one into it.
-  kernels::Tensor<double> corrected_stress(std::int64_t index, int dimension) const;
+  kernels::Tensor<double> corrected_stress(std::int64_t index, int dimension);
   void put_corrected_stress(std::int64_t index, int dimension, const kernels::Tensor<double>& t);
-  /// Room for second lines with marks, all zero.
-  void take_marked();
+  /// The same for h D/2 of the hourglass viscosity.
+  kernels::SymTensor<double> strain_rate(std::int64_t index, int dimension);
+  void put_strain_rate(std::int64_t index, int dimension, const kernels::SymTensor<double>& d);
+  /// Room for second lines, all zero.
+  void take_second();
 
   double* record(Role role, std::int64_t slot) { return record(layout_[role].first + slot); }
   double* record(std::int64_t index) { return records_.data() + index * kernels::record_size; }
-  /// Second line of a record, and whether it is marked as not zero. Pre: has_marked().
+  /// Second line of a record, and whether it is not zero. Pre: has_second().
   double* second(std::int64_t index) {
     return second_.data() + index * kernels::second_record_size;
   }
   std::uint8_t& mark(std::int64_t index) { return marked_[static_cast<std::size_t>(index)]; }
-  bool has_marked() const { return !marked_.empty(); }
+  bool has_second() const { return !second_.empty(); }
   std::size_t bytes() const;
 
   /// The record part of a sweep's view; without marks the terms that need them add nothing.
   void fill(kernels::PairSweepView<double>& view, bool with_marks) const;
   const double* records() const { return records_.data(); }
-  const double* second_lines() const { return second_.empty() ? nullptr : second_.data(); }
+  const double* extra_lines() const { return extra_.empty() ? nullptr : extra_.data(); }
 
  private:
-  void take_second();
+  void take_extra();
   double* corrected_value(std::int64_t index, int place);
+  double* strain_rate_value(std::int64_t index, int dimension, int a, int b);
 
   RecordLayout layout_;
   AlignedVector<double> records_;
-  AlignedVector<double> second_;
+  AlignedVector<double> second_, extra_;
   std::vector<std::uint8_t> marked_;
   StressForm form_ = StressForm::plain;
 };

@@ -68,7 +68,7 @@ bool pack_second_lines(int threads, const SecondSources& soil, const ChosenKerne
     return source.row->second_line(chosen.settings, dimension, source.fields.data(), k,
                                    line + source.row->first_second);
   };
-  if (!records.has_marked()) {
+  if (!records.has_second()) {
     each_role([&](Role, const ParticleBuffers& particles) {
       const std::vector<Source> all = sources(particles, chosen.terms);
       if (all.empty()) return;
@@ -79,7 +79,7 @@ bool pack_second_lines(int threads, const SecondSources& soil, const ChosenKerne
       });
     });
     if (!any) return false;
-    records.take_marked();
+    records.take_second();
   }
   any = false;
   each_role([&](Role role, const ParticleBuffers& particles) {

@@ -104,7 +104,7 @@ struct ParticleLoads {
     return m;
   }
   /// Turns the moment, which is that of the middle of the step, with the spin to its end, where the
-  /// force is summed. Equation: K2.
+  /// force is summed. Equation: K3.
   static SCARP_INLINE void turn_moment(const ParticleView& p, const StressPassConstants& c,
                                        const Tensor<T>& gradient, std::size_t k) {
     const SymTensor<T> m = rotated(
@@ -151,6 +151,7 @@ SCARP_INLINE unsigned advance_material(const ParticleView& p, const StressPassCo
   History<T, Model::state_fields.size()> history;
   for (std::size_t h = 0; h < Model::state_fields.size(); ++h)
     history.now[h] = T::load_aligned(p.history[h] + k);
+  if (p.strain_rate[xx] != nullptr) Loads::store(p.strain_rate, k, symmetric_part(gradient));
   stress = base_stress;
   const PointStrain<T> strain = advance_stress_point<Model>(c, model, gradient, current, diffusion,
                                                             density_now, history, stress);

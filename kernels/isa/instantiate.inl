@@ -25,8 +25,8 @@ constexpr TermSet plain{continuity, velocity_gradient},
     corrected{velocity_gradient, moment, wall_gradient},
     diffused = corrected | TermSet{diffusion}, viscous{momentum, viscosity},
     tensile{momentum, viscosity, artificial_stress},
-    corrected_viscous = viscous | TermSet{force_correction},
-    corrected_tensile = tensile | TermSet{force_correction};
+    corrected_viscous = viscous | TermSet{force_correction, hourglass_viscosity},
+    corrected_tensile = tensile | TermSet{force_correction, hourglass_viscosity};
 
 template <class Real, int Dim, TermSet... Set>
 constexpr std::array<CompiledSweep<Real>, sizeof...(Set)> compiled{

@@ -10,7 +10,7 @@ namespace scarp::kernels {
 
 /// Equation: E20, E27; rho_i m_j F^n (R_i + R_j) . grad W: R_j joins the stress of the neighbour,
 /// and the part with R_i is multiplied once after the loop. The second record line holds rho R,
-/// zero for a particle in compression. With the force correction R B takes the place of R (K2), in
+/// zero for a particle in compression. With the force correction R B takes the place of R (K3), in
 /// 3D its symmetric part.
 struct ArtificialStress : PairTerm {
   static constexpr Term term = Term::artificial_stress;

@@ -9,7 +9,7 @@
 namespace scarp::kernels {
 
 /// Where component (a, b) of T = sigma B stands, counted from `record_stress`; from 8 on in the
-/// second line, counted from this term's first value there. T is not symmetric: a is the direction
+/// extra line, counted from this term's first value there. T is not symmetric: a is the direction
 /// of the force, b is summed with grad W. In 2D T_yx stands in place of sigma_zz, which no force
 /// comes of; in 3D in that of the diffusivity, which the force does not read.
 template <int Dim>
@@ -20,10 +20,10 @@ static_assert(record_stress + 7 == record_diffusivity);
 constexpr int corrected_place_of(int dimension, int a, int b) {
   return dimension == 2 ? corrected_place<2>[a][b] : corrected_place<3>[a][b];
 }
-/// This term's first value in the second line; behind the artificial stress's.
-inline constexpr int corrected_second = 6;
+/// This term's first value in the extra line.
+inline constexpr int corrected_extra = 0;
 
-/// Equation: K2; the momentum takes T = sigma B with B = M^-1 in place of sigma, so that its power
+/// Equation: K3; the momentum takes T = sigma B with B = M^-1 in place of sigma, so that its power
 /// is minus that of the stress on the corrected gradient, sum_i V_i sigma_i : L_i. It sums nothing
 /// of its own: the records then hold T.
 struct ForceCorrection : PairTerm {
@@ -49,7 +49,7 @@ struct ForceCorrection : PairTerm {
   };
 };
 
-/// T = sigma B. Equation: K2.
+/// T = sigma B. Equation: K3.
 template <class T>
 SCARP_TENSOR Tensor<T> corrected_stress(const SymTensor<T>& s, const SymTensor<T>& b) {
   const T left[3][3] = {{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};

@@ -7,6 +7,7 @@
 #include "kernels/pair/artificial_stress.hpp"
 #include "kernels/pair/continuity.hpp"
 #include "kernels/pair/force_correction.hpp"
+#include "kernels/pair/hourglass_viscosity.hpp"
 #include "kernels/pair/moment.hpp"
 #include "kernels/pair/momentum.hpp"
 #include "kernels/pair/stress_diffusion.hpp"
@@ -23,8 +24,9 @@ struct TermList {
 
 /// The one list: a term stands here, in `Term` and in its own header. Terms that change the stress
 /// of the neighbour come before the momentum, which takes it; terms that add to the force after.
-using PairTerms = TermList<Continuity, VelocityGradient, Moment, WallGradient, StressDiffusion,
-                           ArtificialStress, ForceCorrection, Momentum, Viscosity>;
+using PairTerms =
+    TermList<Continuity, VelocityGradient, Moment, WallGradient, StressDiffusion, ArtificialStress,
+             ForceCorrection, Momentum, Viscosity, HourglassViscosity>;
 
 /// Sum of value<T>() over the terms before `Wanted` (over all of them for void).
 template <class Wanted, class... T, class Value>
@@ -40,20 +42,21 @@ constexpr int output_count_of(T) {
   for (const FieldUse& field : T::writes) sum += field.components;
   return sum;
 }
-/// Where the outputs of a term begin in PairSweepView::output, its values in the second line.
+/// Where the outputs of a term begin in PairSweepView::output, its values in the second line or in
+/// the extra line.
 template <class List, class T>
 inline constexpr int first_output = sum_before<T>(List{},
                                                   [](auto term) { return output_count_of(term); });
-template <class List, class T>
+template <class List, class T, bool Marked = T::marked>
 inline constexpr int first_second = sum_before<T>(List{}, [](auto term) {
-  return decltype(term)::second_slots;
+  return decltype(term)::marked == Marked ? decltype(term)::second_slots : 0;
 });
 
 /// How many values all terms of a list write, and have in the second line.
 template <class List>
 inline constexpr int output_count = first_output<List, void>;
-template <class List>
-inline constexpr int second_count = first_second<List, void>;
+template <class List, bool Marked>
+inline constexpr int second_count = first_second<List, void, Marked>;
 
 /// Whether the terms of a list stand in the order of their numbers and fit in the views.
 template <class... T>
@@ -61,10 +64,11 @@ constexpr bool is_sound(TermList<T...> list) {
   std::uint32_t next = 0;
   const bool ordered = ((static_cast<std::uint32_t>(T::term) == next++) && ...);
   return ordered && output_count<decltype(list)> <= most_outputs &&
-         second_count<decltype(list)> <= second_record_size;
+         second_count<decltype(list), true> <= second_record_size &&
+         second_count<decltype(list), false> <= extra_record_size;
 }
 static_assert(is_sound(PairTerms{}) && PairTerms::size == term_count);
-static_assert(first_second<PairTerms, ForceCorrection> == corrected_second);
+static_assert(first_second<PairTerms, ForceCorrection> == corrected_extra);
 
 /// Whether a term is summed over pairs of soil, or of soil and dummies.
 template <class T>
@@ -79,10 +83,15 @@ constexpr PairNeeds needs_of(TermList<T...>, TermSet set, bool wall) {
   ((needs = set.has(T::term) && is_summed<T>(wall) ? needs | T::needs : needs), ...);
   return needs;
 }
-/// Whether any term of a set has values in the second record line.
+/// Whether any term of a set has values in the second line.
 template <class... T>
-constexpr bool reads_second(TermList<T...>, TermSet set, int dimension) {
-  return ((set.has(T::term) && T::second_slots > 0 && (T::marked || dimension == 3)) || ...);
+constexpr bool reads_second(TermList<T...>, TermSet set) {
+  return ((set.has(T::term) && T::second_slots > 0 && T::marked) || ...);
+}
+/// ... in the extra line.
+template <class... T>
+constexpr bool reads_extra(TermList<T...>, TermSet set, int dimension) {
+  return dimension == 3 && ((set.has(T::term) && T::second_slots > 0 && !T::marked) || ...);
 }
 
 /// The terms that are skipped where no second line is marked.

@@ -62,26 +62,10 @@ struct Moment : PairTerm {
     SCARP_INLINE void store(const Own& own, double* const* out) const {
       constexpr int component[2][6] = {{xx, xy, yy}, {xx, xy, zx, yy, yz, zz}};
       B moment[size];
-      stored(own, moment);
-      for (int k = 0; k < size; ++k) own.put(out[component[Dim - 2][k]], moment[k]);
-    }
-    /// What is stored, all components row by row.
-    template <class Own>
-    SCARP_INLINE void full(const Own& own, B (&out)[Dim * Dim]) const {
-      B moment[size];
-      stored(own, moment);
-      for (int a = 0; a < Dim; ++a) {
-        for (int b = a; b < Dim; ++b)
-          out[a * Dim + b] = out[b * Dim + a] = moment[a * Dim - a * (a - 1) / 2 + b - a];
-      }
-    }
-
-   private:
-    template <class Own>
-    SCARP_INLINE void stored(const Own& own, B (&moment)[size]) const {
       for (int k = 0; k < size; ++k)
         moment[k] = own.fold(-minus_moment[k] * own.smoothing_length());
       keep_invertible<Dim>(moment);
+      for (int k = 0; k < size; ++k) own.put(out[component[Dim - 2][k]], moment[k]);
     }
   };
 };

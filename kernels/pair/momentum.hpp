@@ -8,7 +8,7 @@
 namespace scarp::kernels {
 
 /// Equation: E20; rho_i dv_i/dt = sigma_i . sum_j V_j grad W + sum_j V_j sigma_j . grad W: sigma_i
-/// is multiplied once after the loop. With the force correction T takes the place of sigma (K2).
+/// is multiplied once after the loop. With the force correction T takes the place of sigma (K3).
 /// Stores the acceleration without gravity [m/s2]; terms that add to it add to `force`, or to the
 /// stress of j before this term takes it.
 struct Momentum : PairTerm {

@@ -19,8 +19,7 @@ class ClusterSweep {
   static constexpr int half = cluster_size<Real, Arch>;
   static constexpr int stages = entry_block / 2;
   static constexpr int prefetch_distance = 2;  ///< blocks
-  static constexpr bool second = reads_second(List{}, Set, Dim);
-  static constexpr bool skips = !(Set.without(marked_terms(List{})) == Set);
+  static constexpr bool second = reads_second(List{}, Set), extra = reads_extra(List{}, Set, Dim);
   using B = Batch<Real, Arch>;
   using Quad = RecordQuad<Real, Arch>;
   using Geometry = PairGeometry<B, Dim>;
@@ -29,7 +28,7 @@ class ClusterSweep {
  public:
   SCARP_INLINE ClusterSweep(const PairSweepView<Real>& view, std::int64_t cluster)
       : view_(view), own_(view, cluster * half) {
-    if constexpr (skips) {
+    if constexpr (second) {
       for (int l = 0; l < half; ++l)
         cluster_marked_ |= view.marked != nullptr && view.marked[cluster * half + l] != 0;
     }
@@ -40,7 +39,7 @@ class ClusterSweep {
     for (std::int64_t block = begin; block < end; ++block) {
       prefetch(block + prefetch_distance);  // lists end in empty blocks: this one exists
       const NeighbourBlock j(view_.neighbours, block);
-      if constexpr (skips) {
+      if constexpr (second) {
         if (is_marked(j)) {
           add_block<Wall, true>(j);
           continue;
@@ -57,7 +56,7 @@ class ClusterSweep {
   }
 
  private:
-  using Own = OwnValues<Arch, Real, Dim>;
+  using Own = OwnValues<Arch, Real, Dim, Set, List>;
 
   /// Fetches the records of a block. Padding asks for one past the page, which is harmless and
   /// cheaper than telling it from neighbours.
@@ -70,8 +69,9 @@ class ClusterSweep {
       for (int value = 0; value < record_size; value += line)
         __builtin_prefetch(view_.records + k * record_size + value);
       if constexpr (second) {
-        if (view_.second != nullptr) __builtin_prefetch(view_.second + k * second_record_size);
+        if (view_.marked != nullptr) __builtin_prefetch(view_.second + k * second_record_size);
       }
+      if constexpr (extra) __builtin_prefetch(view_.extra + k * extra_record_size);
     }
   }
 

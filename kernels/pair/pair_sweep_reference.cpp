@@ -42,6 +42,19 @@ double viscosity(const ReferenceParticles& p, const ReferenceSettings& s, std::s
   return (-s.viscosity_alpha * mean_sound_speed * mu + s.viscosity_beta * mu * mu) / mean_density;
 }
 
+/// Equation: V1; what takes the place of -Pi.
+double hourglass_viscosity(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
+                           std::size_t j, const Vector& velocity, const Vector& distance) {
+  if (!s.corrected || p.is_wall(j)) return 0.0;
+  const double h = s.smoothing_length;
+  const Matrix mean = 0.5 * (matrix_of(p.strain_rate[i]) + matrix_of(p.strain_rate[j]));
+  const double unseen = velocity.dot(distance) - distance.dot(mean * distance);
+  const double mean_density = 0.5 * (p.density[i] + p.density[j]);
+  const double mean_sound_speed = 0.5 * (p.sound_speed[i] + p.sound_speed[j]);
+  return s.hourglass_viscosity * mean_sound_speed * h * unseen /
+         ((distance.squaredNorm() + 0.01 * h * h) * mean_density);
+}
+
 void add_gradients(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t j,
                    const Vector& velocity, const Vector& distance, const Vector& gradient,
                    ReferenceRate& rate) {
@@ -73,6 +86,7 @@ void add_forces(const ReferenceParticles& p, const ReferenceSettings& s, std::si
   const auto force_stress = [&](std::size_t k) {
     return s.corrected ? matrix_of(p.force_stress[k]) : matrix_of(p.stress[k]);
   };
+  const double hourglass = hourglass_viscosity(p, s, i, j, velocity, distance);
   const Matrix stress_i = force_stress(i), stress_j = force_stress(j);
   for (int a = 0; a < s.dimension; ++a) {
     ReferenceSum& sum = rate.acceleration[a];
@@ -86,6 +100,7 @@ void add_forces(const ReferenceParticles& p, const ReferenceSettings& s, std::si
       }
     }
     sum.add(-mass * pi * gradient(a));
+    sum.add(mass * hourglass * gradient(a));
   }
 }
 
@@ -131,13 +146,11 @@ void complete_gradients(const ReferenceParticles& p, const ReferenceSettings& s,
     sum += term;
     largest = std::fmax(largest, term.cwiseAbs().maxCoeff());
   }
-  const Matrix product = sum * moment;
   for (int a = 0; a < d; ++a) {
     for (int b = 0; b < d; ++b) {
       ReferenceSum& component = rate.velocity_gradient[3 * a + b];
-      component.value += product(a, b);
-      // Three products, whose moment is at most 1.5 here.
-      component.largest += 4.5 * largest;
+      component.value += sum(a, b);
+      component.largest = std::fmax(component.largest, largest);
     }
   }
 }

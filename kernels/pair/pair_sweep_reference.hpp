@@ -31,8 +31,9 @@ struct ReferenceParticles {
   std::vector<std::array<double, 6>> stress;
   std::vector<std::array<double, 6>> artificial_stress;  ///< R of Eq. 27 [Pa m6/kg2]
   std::vector<ReferenceFace> face;                       ///< read for dummies only
-  /// T = sigma B, row by row, first index the direction of the force [Pa]. Equation: K2.
+  /// T = sigma B, row by row, first index the direction of the force [Pa]. Equation: K3.
   std::vector<std::array<double, 9>> force_stress;
+  std::vector<std::array<double, 6>> strain_rate;    ///< D of the hourglass viscosity [1/s]; V1
   std::vector<std::array<double, 9>> wall_gradient;  ///< H of dummies [m2/s, in 3D m3/s]; B5
 
   std::size_t size() const { return position.size(); }
@@ -45,7 +46,8 @@ struct ReferenceSettings {
   double smoothing_length = 1.0;
   double lattice_moment = 1.0;  ///< grad W is divided by it
   double viscosity_alpha = 0.0, viscosity_beta = 0.0;
-  double spacing = 1.0;  ///< dx of F = W(r)/W(dx)
+  double hourglass_viscosity = 0.0;  ///< acts if `corrected`
+  double spacing = 1.0;              ///< dx of F = W(r)/W(dx)
   double tension_exponent = 2.55;
   std::array<double, 3> gravity{};  ///< [m/s2]; for walls less the acceleration of the wall
   bool corrected = false;  ///< forces of T, gradients with H and the moment kept invertible
@@ -86,7 +88,7 @@ struct ReferenceDummy {
 };
 
 /// Rates of all soil particles; dummies come with their extrapolated velocity and stress. Equation:
-/// E19, E20, E23, E24, E26, E27, D1, K1, K2, B5. Cost: O(N^2).
+/// E19, E20, E23, E24, E26, E27, D1, K1, K3, B5. Cost: O(N^2).
 std::vector<ReferenceRate> pair_sweep_reference(const ReferenceParticles& particles,
                                                 const ReferenceSettings& settings);
 

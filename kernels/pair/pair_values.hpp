@@ -32,7 +32,7 @@ class RecordPair {
 };
 
 /// The cluster's own particles: values of their records, sums over both halves, outputs.
-template <class Arch, class Real, int Dim>
+template <class Arch, class Real, int Dim, TermSet Set, class List>
 struct OwnValues {
   using B = Batch<Real, Arch>;
   static constexpr int dimension = Dim;
@@ -48,6 +48,19 @@ struct OwnValues {
     for (int a = 0; a < Dim; ++a) {
       i.position[a] = value(record_x + a);
       i.velocity[a] = value(record_velocity_x + a);
+    }
+    if constexpr (Set.has(Term::hourglass_viscosity)) {
+      for (int a = 0; a < Dim; ++a) {
+        for (int b = a; b < Dim; ++b) {
+          const int c = tensor_index[a][b];
+          if constexpr (Dim == 2) {
+            i.strain_rate[c] = value(record_stress + strain_rate_place[a][b]);
+          } else {
+            i.strain_rate[c] = cluster.load(view.extra, extra_record_size,
+                                            first_second<List, HourglassViscosity> + c);
+          }
+        }
+      }
     }
   }
   SCARP_INLINE B value(int slot) const { return cluster.load(view.records, record_size, slot); }
@@ -71,10 +84,12 @@ struct StoreValues {
     const int place = corrected_place<OwnValues::dimension>[a][b];
     return place < 8 ? value(record_stress + place) : second<ForceCorrection>(place - 8);
   }
-  /// Value `c` of term T in the second line.
+  /// Value `c` of term T in the second or the extra line.
   template <class T>
   SCARP_INLINE B second(int c) const {
-    return own.cluster.load(own.view.second, second_record_size, first_second<List, T> + c);
+    if constexpr (T::marked)
+      return own.cluster.load(own.view.second, second_record_size, first_second<List, T> + c);
+    return own.cluster.load(own.view.extra, extra_record_size, first_second<List, T> + c);
   }
   SCARP_INLINE B smoothing_length() const {
     return B(static_cast<typename B::value_type>(own.view.smoothing_length));
@@ -150,11 +165,12 @@ struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real,
     if constexpr (Densities) return this->inverse_regularised * (i.density + this->density);
     return this->inverse_regularised;
   }
-  /// Value `c` of term T in the second lines.
+  /// Value `c` of term T in the second or the extra lines.
   template <class T, int C>
   SCARP_INLINE B second(std::integral_constant<int, C>) const {
     constexpr int place = first_second<List, T> + C, quad = place / 4 * 4;
-    return second_quad<quad>()(constant<place - quad>);
+    if constexpr (T::marked) return second_quad<quad>()(constant<place - quad>);
+    return extra_quad<quad>()(constant<place - quad>);
   }
   /// The stored components of a tensor that is all T has there.
   template <class T>
@@ -194,6 +210,12 @@ struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real,
   SCARP_INLINE RecordQuad<Real, Arch> second_quad() const {
     return RecordQuad<Real, Arch>(view_.second + std::int64_t{low_} * second_record_size + First,
                                   view_.second + std::int64_t{high_} * second_record_size + First);
+  }
+
+  template <int First>
+  SCARP_INLINE RecordQuad<Real, Arch> extra_quad() const {
+    return RecordQuad<Real, Arch>(view_.extra + std::int64_t{low_} * extra_record_size + First,
+                                  view_.extra + std::int64_t{high_} * extra_record_size + First);
   }
 
   const PairSweepView<Real>& view_;

@@ -21,9 +21,10 @@ enum class Term : std::uint32_t {
   artificial_stress,
   force_correction,
   momentum,
-  viscosity
+  viscosity,
+  hourglass_viscosity
 };
-inline constexpr std::size_t term_count = static_cast<std::size_t>(Term::viscosity) + 1;
+inline constexpr std::size_t term_count = static_cast<std::size_t>(Term::hourglass_viscosity) + 1;
 
 /// A set of pair terms: what a scene uses, what a sweep is compiled for.
 struct TermSet {
@@ -96,6 +97,7 @@ struct TermSettings {
   bool yields = false;  ///< any of the scene's materials does
   double viscosity_alpha = 0.0;
   double viscosity_beta = 0.0;
+  double hourglass_viscosity = 0.0;
   double artificial_stress = 0.0;  ///< epsilon of Eq. 27
   double stress_diffusion = 0.0;   ///< cap of the diffusivity in h c
 };
@@ -132,8 +134,9 @@ struct PairTerm {
   static constexpr std::array<FieldUse, 0> writes{};
   /// Fields beyond the state of every run; `second_line` gets the arrays of all of them.
   static constexpr std::array<FieldUse, 0> reads_fields{};
-  /// Values it has in the second record line. If `marked`, it adds nothing to a pair whose two
-  /// lines are both zero: blocks of such pairs skip it. Else 2D does without them.
+  /// Values it has beyond the record. If `marked`, they stand in the second line, and it adds
+  /// nothing to a pair whose two lines are both zero: blocks of such pairs skip it. Else they stand
+  /// in the extra line, which all pairs read; 2D finds room for those in the record.
   static constexpr int second_slots = 0;
   static constexpr bool marked = true;
   static constexpr SecondRank second_rank = SecondRank::scalars;

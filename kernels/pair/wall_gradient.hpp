@@ -2,7 +2,6 @@
 /// Pair term of what rough walls add to the velocity gradient of the soil.
 #pragma once
 
-#include "kernels/pair/moment.hpp"
 #include "kernels/pair/velocity_gradient.hpp"
 
 namespace scarp::kernels {
@@ -48,26 +47,17 @@ struct WallGradient : PairTerm {
         });
       });
     }
-    /// (sum/V_j) M, which the velocity gradient adds to its own.
+    /// sum/V_j, which the velocity gradient adds to its own.
     struct OwnPart {
-      B product[Dim * Dim];
-      SCARP_INLINE void add(int a, int b, B& total) const { total = total + product[a * Dim + b]; }
+      B part[Dim * Dim];
+      SCARP_INLINE void add(int a, int b, B& total) const { total = total + part[a * Dim + b]; }
     };
     template <class Own>
     SCARP_INLINE OwnPart own_part(const Own& own) const {
-      B moment[Dim * Dim];
-      own.template sums_of<Moment>().full(own, moment);
       const B scale = B(1) / own.value(record_volume);
-      OwnPart part;
-      for (int a = 0; a < Dim; ++a) {
-        for (int b = 0; b < Dim; ++b) {
-          B product(0);
-          for (int c = 0; c < Dim; ++c)
-            product = fma(own.fold(sum[a * Dim + c]), moment[c * Dim + b], product);
-          part.product[a * Dim + b] = product * scale;
-        }
-      }
-      return part;
+      OwnPart own_part;
+      for (int k = 0; k < Dim * Dim; ++k) own_part.part[k] = own.fold(sum[k]) * scale;
+      return own_part;
     }
     template <class Own>
     SCARP_INLINE void store(const Own&, double* const*) const {}

@@ -196,7 +196,7 @@ void sum_dummy_gradients(const WallSweepView<Real>& view, std::int64_t cluster) 
   }
 }
 
-/// Equation: B2 for T in place of sigma. The records of the soil hold T (K2).
+/// Equation: B2 for T in place of sigma. The records of the soil hold T (K3).
 template <class Arch, class Real, int Dim>
 void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t cluster) {
   using B = Batch<Real, Arch>;
@@ -226,10 +226,10 @@ void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t clus
         } else if constexpr (place < 8) {
           sum = xsimd::fma(weight, more(constant<place - 4>), sum);
         } else {
-          constexpr int slot = corrected_second + place - 8, quad = slot / 4 * 4;
-          const Quad second(view.second + std::int64_t{low} * second_record_size + quad,
-                            view.second + std::int64_t{high} * second_record_size + quad);
-          sum = xsimd::fma(weight, second(constant<slot - quad>), sum);
+          constexpr int slot = corrected_extra + place - 8, quad = slot / 4 * 4;
+          const Quad extra(view.extra + std::int64_t{low} * extra_record_size + quad,
+                           view.extra + std::int64_t{high} * extra_record_size + quad);
+          sum = xsimd::fma(weight, extra(constant<slot - quad>), sum);
         }
       });
     });

@@ -50,6 +50,10 @@ struct CountedPair : kernels::PairGeometry<Counted, Dim>, kernels::PairMotion<Co
   Counted sound_speed() const { return {}; }
   Counted diffusivity() const { return {}; }
   Counted inverse_regularised_distance() const { return Counted::after(densities ? 2 : 0); }
+  template <class Term, int C>
+  Counted second(std::integral_constant<int, C>) const {
+    return {};
+  }
   template <class Term>
   void take_second(Counted (&)[6]) const {}
   template <class Term>

@@ -29,6 +29,7 @@ inline ReferenceSettings settings_for(ReferenceSmoothing smoothing, int dimensio
   s.lattice_moment = 0.95;
   s.viscosity_alpha = 0.1;
   s.viscosity_beta = 0.7;
+  s.hourglass_viscosity = 0.3;
   s.gravity = dimension == 2 ? std::array<double, 3>{0.4, -9.8, 0.0}
                              : std::array<double, 3>{0.4, -1.0, -9.7};
   return s;

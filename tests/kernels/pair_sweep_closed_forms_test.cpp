@@ -198,7 +198,7 @@ TEST_P(PairSweepClosedFormTest, TheCorrectedForceTakesThePowerOfTheStressOnTheCo
     }
     for (std::size_t k = p.soil_count; k < p.size(); ++k) p.velocity[k] = {};
     ReferenceSettings s = settings_;
-    s.viscosity_alpha = s.viscosity_beta = 0.0;
+    s.viscosity_alpha = s.viscosity_beta = s.hourglass_viscosity = 0.0;
     s.gravity = {};
     for (const Isa isa : available_isas()) {
       const KernelTable& table = kernels_of(isa);

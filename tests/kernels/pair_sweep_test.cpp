@@ -91,6 +91,7 @@ void expect_rates(const std::vector<ReferenceRate>& expected, SweepOutput& out,
 /// Particles without the parts that a variant does not use.
 std::vector<ReferenceRate> reference_for(ReferenceParticles p, ReferenceSettings s, TermSet terms) {
   s.corrected = packing_for(terms) != Packing::plain;
+  if (!terms.has(Term::hourglass_viscosity)) s.hourglass_viscosity = 0.0;
   if (!terms.has(Term::viscosity)) s.viscosity_alpha = s.viscosity_beta = 0.0;
   if (!terms.has(Term::artificial_stress)) {
     for (auto& r : p.artificial_stress) r = {};

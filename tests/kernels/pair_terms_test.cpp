@@ -58,6 +58,7 @@ bool same(SweepOutput& a, SweepOutput& b) {
 bool is_used(int slot, const SweepVariant& v) {
   const bool third = slot == record_z || slot == record_velocity_z || slot >= record_stress + 4;
   if (v.dimension == 3 || !third) return true;
+  if (v.terms.has(Term::hourglass_viscosity) && slot >= record_stress) return true;
   return slot == record_sound_speed ||
          (slot == record_diffusivity && !v.terms.has(Term::force_correction));
 }
@@ -76,7 +77,8 @@ TEST(PairTermsTest, ReadNoSlotOfARecordButThoseTheyName) {
     const SlotSet read = slots_read(compiled.variant.terms);
     for (std::int64_t k = 0; k < packed.slots(); ++k) {
       for (int slot = 0; slot < record_size; ++slot) {
-        const bool of_dummy = packed.is_dummy(k) && read_of_dummies(compiled.variant).has(slot);
+        const bool of_dummy = (packed.is_dummy(k) || k + 1 == packed.slots()) &&
+                              read_of_dummies(compiled.variant).has(slot);
         if (!of_dummy && (!read.has(slot) || !is_used(slot, compiled.variant)))
           packed.record(k)[slot] = not_a_number;
       }

@@ -86,14 +86,19 @@ class PackedParticles {
   std::int64_t slots() const { return far_record_ + 1; }
   double* record(std::int64_t slot) { return records_.data() + slot * kernels::record_size; }
   double* second(std::int64_t slot) { return second_.data() + slot * kernels::second_record_size; }
+  double* extra(std::int64_t slot) { return extra_.data() + slot * kernels::extra_record_size; }
   std::uint8_t& mark(std::int64_t slot) { return marked_[static_cast<std::size_t>(slot)]; }
 
   /// View without outputs; without marks there is no artificial stress.
   kernels::PairSweepView<double> sweep_view(bool with_marks) const {
     kernels::PairSweepView<double> view{};
     view.records = records_.data();
-    if (with_marks || packing_ == Packing::corrected_force) view.second = second_.data();
-    if (with_marks) view.marked = marked_.data();
+    if (with_marks) {
+      view.second = second_.data();
+      view.marked = marked_.data();
+    }
+    if (packing_ == Packing::corrected_force) view.extra = extra_.data();
+    view.constants.hourglass_viscosity = settings_.hourglass_viscosity;
     view.clusters = clusters_.data();
     view.neighbours = lists_.view();
     view.smoothing_length = settings_.smoothing_length;
@@ -114,7 +119,7 @@ class PackedParticles {
   kernels::WallSweepView<double> wall_view() const {
     kernels::WallSweepView<double> view{};
     view.records = records_.data();
-    view.second = second_.data();
+    view.extra = extra_.data();
     view.neighbours = wall_lists_.view();
     view.smoothing = smoothing_view(form_of(settings_.smoothing));
     for (int a = 0; a < 3; ++a) {
@@ -135,6 +140,7 @@ class PackedParticles {
                                    (std::pow(h, dimension + 1) * settings_.lattice_moment);
     records_.assign(static_cast<std::size_t>(slots() * record_size), 0.0);
     second_.assign(static_cast<std::size_t>(slots() * second_record_size), 0.0);
+    extra_.assign(static_cast<std::size_t>(slots() * extra_record_size), 0.0);
     marked_.assign(static_cast<std::size_t>(slots()), 0);
     faces_.assign(static_cast<std::size_t>((first_image_ - first_wall_) * wall_record_size), 0.0);
     for (std::int64_t slot = 0; slot < slots(); ++slot) {
@@ -164,8 +170,13 @@ class PackedParticles {
           for (int b = 0; b < dimension; ++b) {
             const int place = corrected_place_of(dimension, a, b);
             (place < 8 ? r[record_stress + place]
-                       : second(slot_of(k))[corrected_second + place - 8]) =
+                       : extra(slot_of(k))[corrected_extra + place - 8]) =
                 p.force_stress[k][static_cast<std::size_t>(3 * a + b)];
+            if (a > b) continue;
+            const auto c = static_cast<std::size_t>(tensor_index[a][b]);
+            (dimension == 2 ? r[record_stress + strain_rate_place[a][b]]
+                            : extra(slot_of(k))[first_second<PairTerms, HourglassViscosity> + c]) =
+                0.5 * h * p.strain_rate[k][c];
           }
         }
       }
@@ -241,7 +252,7 @@ class PackedParticles {
   Packing packing_;
   std::size_t soil_count_ = 0, wall_count_ = 0;
   std::int64_t first_wall_ = 0, first_image_ = 0, far_record_ = 0;
-  AlignedVector<double> records_, second_, faces_;
+  AlignedVector<double> records_, second_, extra_, faces_;
   std::vector<std::uint8_t> marked_;
   std::vector<std::int32_t> clusters_;
   PackedLists lists_, wall_lists_;

@@ -51,6 +51,10 @@ inline kernels::ReferenceParticles random_block(const BlockOptions& o, unsigned 
     }
     p.force_stress.push_back(force_stress);
     p.wall_gradient.push_back(wall_gradient);
+    std::array<double, 6> strain_rate{};
+    for (std::size_t c = 0; c < 6; ++c)
+      strain_rate[c] = o.dimension == 2 && c > 3 ? 0.0 : 4.0 * unit(corrected);
+    p.strain_rate.push_back(strain_rate);
   };
   const int depth = o.dimension == 3 ? o.cells : 1;
   for (int k = 0; k < depth; ++k) {
@@ -90,6 +94,10 @@ inline kernels::ReferenceParticles random_block(const BlockOptions& o, unsigned 
     for (const std::size_t c : {1u, 2u, 3u, 6u}) image[c] = -image[c];
     p.force_stress.push_back(image);
     p.wall_gradient.push_back({});
+    std::array<double, 6> strain_rate = p.strain_rate[k];
+    strain_rate[3] = -strain_rate[3];
+    strain_rate[5] = -strain_rate[5];
+    p.strain_rate.push_back(strain_rate);
     p.face.emplace_back();
   }
   return p;

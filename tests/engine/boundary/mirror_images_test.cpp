@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
@@ -33,6 +34,7 @@ struct Point {
   Vec3 position{}, velocity{};
   Matrix stress{};
   Matrix tension{};  ///< of the second line
+  Matrix inverse_moment{};  ///< B
 };
 
 /// Three smooth planes that meet at right angles, turned any way, each on a wall of its own.
@@ -78,10 +80,12 @@ struct Corner {
         const double along = n[i] * n[j];
         const double t = along + k0 * ((i == j ? 1.0 : 0.0) - along);
         to.stress[i][j] = 2.0 * d * density * dot(gravity, n) * t;
+        to.inverse_moment[i][j] = 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
           for (std::size_t l = 0; l < 3; ++l) {
             to.stress[i][j] += r[i][k] * from.stress[k][l] * r[j][l];
             to.tension[i][j] += r[i][k] * from.tension[k][l] * r[j][l];
+            to.inverse_moment[i][j] += r[i][k] * from.inverse_moment[k][l] * r[j][l];
           }
         }
       }
@@ -130,6 +134,18 @@ Point read_record(const double* r, const double* second) {
   return point;
 }
 
+/// sigma B.
+Matrix corrected(const Point& point) {
+  Matrix t{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k)
+        t[i][j] += point.stress[i][k] * point.inverse_moment[k][j];
+    }
+  }
+  return t;
+}
+
 bool before(const Point& a, const Point& b) { return a.position < b.position; }
 
 TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
@@ -138,8 +154,8 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
   for (int turn = 0; turn < 10; ++turn) {
     const Corner corner(random);
     constexpr std::int64_t count = 40;
-    constexpr Field used[]{Field::position, Field::build_position, Field::velocity, Field::density,
-                           Field::stress};
+    constexpr Field used[]{Field::position, Field::build_position, Field::velocity,
+                           Field::density,  Field::stress,         Field::moment};
     ParticleBuffers soil(
         3, {{{.reference_density = density, .mass = 1.0}, 0, count, padded(count)}}, used);
     std::vector<Point> wanted;
@@ -156,6 +172,26 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
         for (double& t : tension[static_cast<std::size_t>(k)]) t = 1e4 * number(random);
       }
       point.tension = full(tension[static_cast<std::size_t>(k)].data());
+      // Its inverse is found by the engine; here B is chosen diagonal, turned by a reflection.
+      const Vec3 n = corner.axis[0];
+      const double moment[3] = {0.5 + 0.2 * number(random), 0.9, 1.1};
+      SymTensor<double> m{};
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          for (std::size_t j = 0; j < 3; ++j) {
+            const double ia = (i == a ? 1.0 : 0.0) - 2.0 * n[i] * n[a],
+                         ja = (j == a ? 1.0 : 0.0) - 2.0 * n[j] * n[a];
+            point.inverse_moment[i][j] += ia * ja / moment[a];
+          }
+        }
+        const double r[3] = {(a == 0 ? 1.0 : 0.0) - 2.0 * n[0] * n[a],
+                             (a == 1 ? 1.0 : 0.0) - 2.0 * n[1] * n[a],
+                             (a == 2 ? 1.0 : 0.0) - 2.0 * n[2] * n[a]};
+        m = m + moment[a] * SymTensor<double>{r[0] * r[0], r[1] * r[1], r[2] * r[2],
+                                              r[0] * r[1], r[1] * r[2], r[2] * r[0]};
+      }
+      const double of_moment[6] = {m.xx, m.yy, m.zz, m.xy, m.yz, m.zx};
+      for (int c = 0; c < 6; ++c) soil.component(Field::moment, c)[k] = of_moment[c];
       for (int a = 0; a < 3; ++a) {
         const auto axis = static_cast<std::size_t>(a);
         point.velocity[axis] = number(random);
@@ -177,7 +213,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     ASSERT_EQ(images.count(), static_cast<std::int64_t>(wanted.size()));
     const RecordScaling scaling{1.0 / smoothing_length, 1.0, {1e7}};
     Records records(soil.slots(), 0);
-    records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot);
+    records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot, StressForm::plain);
     records.resize(0, images.count());
     images.pack(records, scaling.inverse_smoothing_length, offset, velocity, corner.gravity);
     records.take_second();
@@ -187,6 +223,9 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
       records.mark(k) = 1;
     }
     images.pack_second(records, TermSet{Term::artificial_stress});
+    const MirrorImages::Mirrors mirrors{scaling.inverse_smoothing_length, offset, velocity,
+                                        corner.gravity};
+    images.pack(records, mirrors);
     std::vector<Point> made;
     for (std::int64_t g = 0; g < images.count(); ++g) {
       const std::int64_t index = records.layout()[Role::image].first + g;
@@ -195,6 +234,24 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     std::sort(made.begin(), made.end(), before);
     std::sort(wanted.begin(), wanted.end(), before);
     for (std::size_t g = 0; g < wanted.size(); ++g) expect_same(made[g], wanted[g]);
+    records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot, StressForm::corrected);
+    images.pack_corrected(records, mirrors, soil);
+    std::vector<std::pair<Vec3, Tensor<double>>> taken;
+    for (std::int64_t g = 0; g < images.count(); ++g) {
+      const std::int64_t record = records.layout()[Role::image].first + g;
+      taken.emplace_back(read_record(records.record(record)).position,
+                         records.corrected_stress(record, 3));
+    }
+    std::sort(taken.begin(), taken.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t g = 0; g < wanted.size(); ++g) {
+      const Matrix t = corrected(wanted[g]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        // Of sigma, times B of up to 3.3, and the inverse of M.
+        for (std::size_t j = 0; j < 3; ++j)
+          EXPECT_NEAR(taken[g].second.m[i][j], t[i][j], 4e5 * 100 * 2.2e-16);
+      }
+    }
     for (std::int64_t k = 0; k < count; ++k) {
       const Vec3 place{points.x[k], points.y[k], points.z[k]};
       bool close = false;

@@ -137,17 +137,19 @@ TEST(FieldTableTest, ACopyThatCarriesTheGhostColumnHasTheRecordsOfItsOriginal) {
   chosen.terms = kernels::used_terms(chosen.settings);
   const kernels::SlotSet read = kernels::slots_read(chosen.terms);
   Records records(original.slots(), 0), of_copy(copy.slots(), 0);
-  records.pack(1, Role::owned, original, scaling, read);
-  of_copy.pack(1, Role::owned, copy, scaling, read);
   const ParticleBuffers no_ghosts;
-  EXPECT_TRUE(pack_second_lines(1, {original, no_ghosts}, chosen, records));
-  EXPECT_TRUE(pack_second_lines(1, {copy, no_ghosts}, chosen, of_copy));
-  for (const ParticleGroup& group : original.groups()) {
-    for (std::int64_t k = group.first; k < group.end(); ++k) {
-      for (int slot = 0; slot < kernels::record_size; ++slot)
-        ASSERT_EQ(records.record(k)[slot], of_copy.record(k)[slot]) << "slot " << slot;
-      for (int value = 0; value < kernels::second_record_size; ++value)
-        ASSERT_EQ(records.second(k)[value], of_copy.second(k)[value]) << "value " << value;
+  for (const StressForm form : {StressForm::plain, StressForm::corrected}) {
+    records.pack(1, Role::owned, original, scaling, read, form);
+    of_copy.pack(1, Role::owned, copy, scaling, read, form);
+    EXPECT_TRUE(pack_second_lines(1, {original, no_ghosts}, chosen, records));
+    EXPECT_TRUE(pack_second_lines(1, {copy, no_ghosts}, chosen, of_copy));
+    for (const ParticleGroup& group : original.groups()) {
+      for (std::int64_t k = group.first; k < group.end(); ++k) {
+        for (int slot = 0; slot < kernels::record_size; ++slot)
+          ASSERT_EQ(records.record(k)[slot], of_copy.record(k)[slot]) << "slot " << slot;
+        for (int value = 0; value < kernels::second_record_size; ++value)
+          ASSERT_EQ(records.second(k)[value], of_copy.second(k)[value]) << "value " << value;
+      }
     }
   }
 }

@@ -28,12 +28,8 @@ Scene free_block(Integrator integrator, const Vec3& gravity) {
   return scene;
 }
 
-const char* force_sweep(Integrator integrator) {
-  return integrator == Integrator::verlet ? "sweep_all" : "sweep_force";
-}
-
-void add_force(Simulation& simulation, Integrator integrator, const Vec3& more) {
-  simulation.on_phase(force_sweep(integrator), When::after, [more](PhaseView& view) {
+void add_force(Simulation& simulation, const Vec3& more) {
+  simulation.on_phase("sweep_force", When::after, [more](PhaseView& view) {
     for (int a = 0; a < 2; ++a) {
       const std::span<double> acceleration = view.write("acceleration", a);
       for (double& value : acceleration) value += more[static_cast<std::size_t>(a)];
@@ -48,7 +44,7 @@ TEST(HookTest, AUniformForceIsGravity) {
   for (const Integrator integrator : integrators) {
     Simulation whole(free_block(integrator, {2.0, -5.81, 0.0}), {1, {}});
     Simulation hooked(free_block(integrator, gravity), {1, {}});
-    add_force(hooked, integrator, more);
+    add_force(hooked, more);
     for (int k = 0; k < 100; ++k) {
       if (k == 60) {
         whole.end_stage();
@@ -78,7 +74,7 @@ TEST(HookTest, AForceBoundsTheTimeStep) {
     scene.initial_stress = InitialStress::zero;
     scene.bodies[0].velocity_field.clear();
     Simulation simulation(scene, {1, {}});
-    add_force(simulation, integrator, {0.0, force, 0.0});
+    add_force(simulation, {0.0, force, 0.0});
     const StepReport& report = simulation.step();
     EXPECT_EQ(report.limit, StepLimit::force);
     EXPECT_NEAR(report.time_step, 0.2 * std::sqrt(0.12 / force), 1e-15);

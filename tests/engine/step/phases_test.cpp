@@ -85,7 +85,7 @@ std::string lies_of(const Phase& phase, State& state) {
 /// Steps by phases, each looked at: past the watch's look at every 50th, and into the next stage.
 void expect_no_lies(const Scene& scene) {
   State state = make_state(scene, {1, {}});
-  const StepPhases phases = phases_of(scene.numerics.integrator);
+  const StepPhases phases = phases_of(scene.numerics.integrator, state.kernels.corrects_forces());
   std::size_t stages = 0;
   const auto run = [&](PhaseList list) {
     for (const Phase& phase : list) ASSERT_EQ(lies_of(phase, state), "") << phase.name;
@@ -131,7 +131,8 @@ TEST(PhaseTest, ReadsAndWritesAreAsDeclaredIn3DAndMixedPrecision) {
 TEST(PhaseTest, ALieIsFound) {
   const Scene scene = small_slope("modern", 1.0, 1.0, 1.0);
   State state = make_state(scene, {1, {}});
-  for (const Phase& phase : phases_of(Integrator::kick_drift_kick).stage_start) phase.run(state);
+  for (const Phase& phase : phases_of(Integrator::kick_drift_kick, true).stage_start)
+    phase.run(state);
   choose_time_step(state);
   Phase kick = phases::kick_half;
   State copy = state;

@@ -66,12 +66,38 @@ std::vector<Field> fields_of_values(const State& state) {
   return fields;
 }
 
+/// What another process would send between the sweeps: the moments of the ghosts, by id from a
+/// state that holds all soil.
+void send_moments(const State& whole, ParticleBuffers& ghosts) {
+  std::map<std::int64_t, std::int64_t> slots;
+  for (const ParticleGroup& group : whole.particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k)
+      slots[whole.particles.ids()[static_cast<std::size_t>(k)]] = k;
+  }
+  for (const ParticleGroup& group : ghosts.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      for (int c = 0; c < 6; ++c) {
+        if (double* moment = ghosts.component(Field::moment, c))
+          moment[k] = whole.particles.component(
+              Field::moment, c)[slots.at(ghosts.ids()[static_cast<std::size_t>(k)])];
+      }
+    }
+  }
+}
+
 /// Every rate of a step by id.
-std::map<std::int64_t, std::vector<double>> rates(State& state) {
+std::map<std::int64_t, std::vector<double>> rates(State& state, const State* whole = nullptr) {
   for (const Phase& phase :
        {phases::pack_soil, phases::decide_rebuild, phases::rebuild_lists, phases::pack_images})
     phase.run(state);
-  sweep_all(state);
+  if (state.kernels.corrects_forces()) {
+    sweep_gradient(state);
+    if (whole != nullptr) send_moments(*whole, state.ghosts);
+    for (const Phase& phase : {phases::pack_forces, phases::pack_images, phases::sweep_force})
+      phase.run(state);
+  } else {
+    sweep_all(state);
+  }
   std::map<std::int64_t, std::vector<double>> all;
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::int64_t k = group.first; k < group.end(); ++k) {
@@ -102,7 +128,7 @@ void expect_split_sums(const char* preset_name, Precision precision, double roun
   // What another process would send: a buffer made like one's own, without rates.
   state.ghosts = make_state(scene, {1, {}}, &others).particles;
   enter_stage(state);
-  const auto found = rates(state);
+  const auto found = rates(state, &whole);
   ASSERT_EQ(found.size(), own.position.size());
   EXPECT_EQ(state.sweep.records.layout()[Role::ghost].slots, state.ghosts.slots());
 

@@ -78,7 +78,7 @@ void run(benchmark::State& bench, const Sweep& sweep, const BlockOptions& option
   const auto pairs = static_cast<double>(true_pairs(state));
   // Of soil in compression the terms that read the second line are skipped.
   kernels::TermSet terms = sweep.terms(state.kernels.terms);
-  if (!options.tension) terms = terms.without(kernels::second_terms(kernels::PairTerms{}));
+  if (!options.tension) terms = terms.without(kernels::marked_terms(kernels::PairTerms{}));
   const int flops = kernels::pair_flops(kernels::PairTerms{}, options.dimension, terms);
   // Twice as many lanes in single precision, at the same rate.
   const double lanes = state.scene.numerics.precision == Precision::mixed ? 2.0 : 1.0;

@@ -99,14 +99,17 @@ void sample_energy(State& state) {
     out[a] = acceleration[a].data();
   }
   const auto power_of = [&](bool viscosity, bool tension) {
-    if (!viscosity) view.constants.viscosity_alpha = view.constants.viscosity_beta = 0.0;
+    kernels::PairConstants<double>& c = view.constants;
+    if (!viscosity) c.viscosity_alpha = c.viscosity_beta = c.hourglass_viscosity = 0.0;
     state.sweep.records.fill(view, tension && state.sweep.records.has_second());
     sweep_force_with(state, view, state.sweep.narrow_records);
     return power(state, acceleration);
   };
   const double total = power_of(true, true);
-  const double without_viscosity =
-      state.kernels.terms.has(kernels::Term::viscosity) ? power_of(false, true) : total;
+  const kernels::TermSet terms = state.kernels.terms;
+  const bool dissipates =
+      terms.has(kernels::Term::viscosity) || terms.has(kernels::Term::hourglass_viscosity);
+  const double without_viscosity = dissipates ? power_of(false, true) : total;
   const double stress_only =
       state.sweep.records.has_second() ? power_of(false, false) : without_viscosity;
   ForcePowers now;

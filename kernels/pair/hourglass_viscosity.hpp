@@ -31,7 +31,7 @@ struct HourglassViscosity : PairTerm {
   static constexpr bool used(const TermSettings& s) {
     return s.gradient_correction && s.hourglass_viscosity > 0.0;
   }
-  static constexpr int flops(int d) { return 8 + 2 * d + (d == 2 ? 12 : 24); }
+  static constexpr int flops(int d) { return 7 + 4 * d + 3 * d * d; }
 
   static constexpr const char* limit = "viscous";
   static double damping(double part, const double (&direction)[3]) {

@@ -110,7 +110,8 @@ constexpr int pair_flops(TermList<T...> list, int d, TermSet set) {
   if (needs.densities) flops += 4;  // regularised denominator and densities
   if (needs.regularised && set.has(Term::diffusion)) flops += 2;  // the denominator by itself
   flops += 2 * d;                                                 // relative velocity, V_j grad W
-  if (set.has(Term::continuity) || set.has(Term::viscosity)) flops += 2 * d - 1;  // approach
+  const TermSet approaching{Term::continuity, Term::viscosity, Term::hourglass_viscosity};
+  if (!((set & approaching) == TermSet{})) flops += 2 * d - 1;  // approach
   ((flops += set.has(T::term) && is_summed<T>(false) ? T::flops(d) : 0), ...);
   return flops;
 }

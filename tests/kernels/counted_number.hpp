@@ -111,7 +111,8 @@ int counted_flops(kernels::TermSet set) {
   Counted::flops = Dim;  // relative velocity
   kernels::complete_motion<Counted, Dim>(pair, pair);
   // The compiler leaves out the approach where nobody asks for it.
-  const bool approach = set.has(kernels::Term::continuity) || set.has(kernels::Term::viscosity);
+  using enum kernels::Term;
+  const bool approach = set.has(continuity) || set.has(viscosity) || set.has(hourglass_viscosity);
   const int motion = Counted::flops - (approach ? 0 : 2 * Dim - 1);
   return geometry_flops<Dim>(needs) + motion + flops_of_terms<Dim>(kernels::PairTerms{}, set, pair);
 }

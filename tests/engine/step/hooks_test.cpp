@@ -184,7 +184,7 @@ TEST(HookTest, WhatAForceAddsIsNoEnergyFromNothing) {
   const double mass = 2000.0;  // of 1 m2
   for (const Integrator integrator : integrators) {
     Simulation simulation(resting_block(integrator), {1, {}});
-    add_force(simulation, integrator, {3.0, 4.0, 0.0});
+    add_force(simulation, {3.0, 4.0, 0.0});
     for (int k = 0; k < 400; ++k) simulation.step();
     const double speed = 5.0 * simulation.last_step().time;
     const EnergyBalance e = simulation.energy();
@@ -215,7 +215,7 @@ TEST(HookTest, AForceMayMakeSoilFasterThanSound) {
     Scene scene = resting_block(integrator);
     scene.materials[0].model.set("youngs_modulus", 1e4);  // c_p = 2.6 m/s
     Simulation simulation(scene, {1, {}});
-    add_force(simulation, integrator, {0.0, 10.0, 0.0});
+    add_force(simulation, {0.0, 10.0, 0.0});
     while (simulation.last_step().time < 2.0) simulation.step();
     EXPECT_GT(simulation.last_step().max_velocity, 15.0);
   }
@@ -244,7 +244,7 @@ TEST(HookTest, ABlowUpIsFoundBesideAHook) {
   Scene scene = free_block(Integrator::verlet, {});
   scene.numerics.cfl = 2.0;
   Simulation simulation(scene, {1, {}});
-  add_force(simulation, Integrator::verlet, {0.0, 1.0, 0.0});
+  add_force(simulation, {0.0, 1.0, 0.0});
   EXPECT_THROW(for (int k = 0; k < 2000; ++k) simulation.step(), SimulationInstability);
 }
 

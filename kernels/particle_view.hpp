@@ -153,7 +153,8 @@ struct ParticleView {
   const double* density_rate;
   const double* velocity_gradient[9];
   double* strain_rate[6];  ///< of the corrected gradient, for the hourglass viscosity [1/s]
-  double* moment[6];  ///< kick-drift-kick turns it to the end of the step
+  const double* moment[6];
+  double* force_moment[6];  ///< at the end of the step; null: the force is not corrected
   const double* acceleration[3];
   const double* diffusion_rate[6];
   const double* diffusion_slope;

@@ -183,7 +183,7 @@ void MirrorImages::pack_corrected(Records& records, const Mirrors& mirrors,
   const std::int64_t first = records.layout()[Role::image].first;
   const int dimension = soil.dimension();
   const double* moment[6];
-  soil.components(Field::moment, moment);
+  soil.components(Field::force_moment, moment);
   std::vector<SymTensor<double>> inverse(images_.size());  // B of each image
   for (std::size_t g = 0; g < images_.size(); ++g) {
     const Image& image = images_[g];

@@ -59,7 +59,7 @@ inline constexpr Phase drift_half{"drift_half",
                                   {Field::position, Part::walls},
                                   scarp::drift_half};
 inline constexpr Phase advance_stress{"advance_stress", point_history | gradient_output,
-                                      point_history | DataSet(Field::moment),
+                                      point_history | DataSet(Field::force_moment),
                                       scarp::advance_stress};
 
 }  // namespace phases

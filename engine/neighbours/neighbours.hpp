@@ -46,7 +46,7 @@ inline constexpr Phase pack_soil{"pack_soil", packed_fields | DataSet(Field::bui
                                  Part::records, scarp::pack_soil};
 inline constexpr Phase pack_forces{
     "pack_forces",
-    packed_fields | DataSet(Field::build_position, Field::moment, Field::strain_rate),
+    packed_fields | DataSet(Field::build_position, Field::force_moment, Field::strain_rate),
     Part::records, scarp::pack_forces};
 inline constexpr Phase decide_rebuild{"decide_rebuild", {}, {}, scarp::decide_rebuild};
 inline constexpr Phase rebuild_lists{
@@ -54,7 +54,7 @@ inline constexpr Phase rebuild_lists{
     state_fields | DataSet(Part::records, Part::lists, Part::walls), scarp::rebuild_lists};
 inline constexpr Phase pack_images{
     "pack_images",
-    packed_fields | DataSet(Field::moment, Field::strain_rate, Part::records, Part::walls),
+    packed_fields | DataSet(Field::force_moment, Field::strain_rate, Part::records, Part::walls),
     Part::records, scarp::pack_images};
 
 }  // namespace phases

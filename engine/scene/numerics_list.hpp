@@ -108,6 +108,10 @@ inline constexpr NumericsRow numerics_list[] = {
     detail::truth<&Numerics::gradient_correction>(
         "gradient_correction", false,
         "correct the velocity gradient, take the density rate from it"),
+    detail::truth<&Numerics::force_correction>(
+        "force_correction", false,
+        "force conjugate to the corrected gradient, rough walls led by their stress; acts with "
+        "`gradient_correction`; take `cfl` 0.8"),
     detail::choice<&Numerics::stress_rotation>("stress_rotation", StressRotation::jaumann,
                                                "rotation of the stress with the soil"),
     detail::number<&Numerics::viscosity_alpha>("viscosity_alpha", {0.0, 100.0}, 0.1, "-",
@@ -118,7 +122,7 @@ inline constexpr NumericsRow numerics_list[] = {
     detail::number<&Numerics::hourglass_viscosity>(
         "hourglass_viscosity", {0.0, 100.0}, 0.0, "-",
         "viscosity that damps what the velocity gradient does not see; 0 leaves it out; acts with "
-        "`gradient_correction`"),
+        "`force_correction`"),
     detail::number<&Numerics::artificial_stress>("artificial_stress", {0.0, 10.0}, 0.3, "-",
                                                  "epsilon of Eq. 27; 0 leaves the term out"),
     detail::number<&Numerics::artificial_stress_exponent>(

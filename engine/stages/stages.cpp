@@ -156,13 +156,16 @@ void enter_stage(State& state) {
   state.report.stage_time = 0.0;
 }
 
-void balance_start(State& state) {
-  if (state.report.step > 0 || !state.start_is_geostatic || !state.kernels.corrects_forces())
-    return;
+void take_moment(State& state) {
   ParticleBuffers& p = state.particles;
-  double *stress[6], *moment[6];
+  double *stress[6], *moment[6], *force_moment[6];
   p.components(Field::stress, stress);
   p.components(Field::moment, moment);
+  p.components(Field::force_moment, force_moment);
+  for (int c = 0; c < 6; ++c) {
+    if (moment[c] != nullptr) std::copy_n(moment[c], p.slots(), force_moment[c]);
+  }
+  if (state.report.step > 0 || !state.start_is_geostatic) return;
   const bool flat = state.scene.dimension == 2;
   const auto read = [](double* const(&field)[6], std::int64_t k) {
     const auto value = [&](int c) { return field[c] != nullptr ? field[c][k] : 0.0; };

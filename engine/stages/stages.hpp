@@ -24,9 +24,10 @@ struct StageClock {
 };
 
 void enter_stage(State& state);  ///< the first, or the one after the present one
-/// Takes geostatic stress to balance at free surfaces: sigma <- sym(sigma M), before the first
-/// step. The force is summed of sigma B, which then is the geostatic stress.
-void balance_start(State& state);
+/// Takes the moment of where the soil is for that of the force; before the first step also takes
+/// geostatic stress to balance at free surfaces, sigma <- sym(sigma M): the force is summed of
+/// sigma B, which then is the geostatic stress. Equation: K3.
+void take_moment(State& state);
 void end_step(State& state);              ///< clocks, lost soil, the stage's end
 double soil_height(const State& state);   ///< extent along gravity of what is not lost [m]
 double fastest_soil(const State& state);  ///< ... and its largest speed [m/s]
@@ -38,8 +39,10 @@ inline constexpr DataSet reset_fields =
 inline constexpr Phase enter_stage{
     "enter_stage", reset_fields | DataSet(Field::position, Part::walls),
     reset_fields | DataSet(Part::records, Part::lists, Part::walls), scarp::enter_stage};
-inline constexpr Phase balance_start{
-    "balance_start", {Field::stress, Field::moment}, Field::stress, scarp::balance_start};
+inline constexpr Phase take_moment{"take_moment",
+                                   {Field::stress, Field::moment},
+                                   {Field::stress, Field::force_moment},
+                                   scarp::take_moment};
 inline constexpr Phase end_step{
     "end_step",
     {Field::position, Field::velocity, Field::reference_position, Part::walls},

@@ -110,11 +110,12 @@ kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& mode
   view.plastic_work = p.component(Field::plastic_work);
   view.diffusion_work = p.component(Field::diffusion_work);
   view.diffusivity = p.component(Field::diffusivity);
-  p.components(Field::moment, view.moment);
+  p.components(Field::force_moment, view.force_moment);
   p.components(Field::strain_rate, view.strain_rate);
   const ParticleBuffers& rates = p;
   view.density_rate = rates.component(Field::density_rate);
   rates.components(Field::velocity_gradient, view.velocity_gradient);
+  rates.components(Field::moment, view.moment);
   rates.components(Field::acceleration, view.acceleration);
   rates.components(Field::diffusion_rate, view.diffusion_rate);
   view.diffusion_slope = rates.component(Field::diffusion_slope);

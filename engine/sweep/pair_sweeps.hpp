@@ -37,8 +37,8 @@ void sweep_force_with(const State& state, const kernels::PairSweepView<double>& 
 namespace phases {
 
 /// Where soil is in tension a sweep of forces packs second lines of the records.
-inline constexpr DataSet force_input{Field::density, Field::stress, Field::moment, Part::records,
-                                     Part::lists};
+inline constexpr DataSet force_input{Field::density, Field::stress, Field::force_moment,
+                                     Part::records, Part::lists};
 inline constexpr DataSet force_output{Field::acceleration, Field::approach_rate, Part::records};
 inline constexpr DataSet gradient_output{Field::density_rate, Field::velocity_gradient,
                                          Field::moment, Field::diffusion_rate,

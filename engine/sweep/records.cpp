@@ -56,7 +56,7 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
   particles.components(Field::velocity, velocity);
   particles.components(Field::build_position, built);
   particles.components(Field::stress, stress);
-  particles.components(Field::moment, moment);
+  particles.components(Field::force_moment, moment);
   particles.components(Field::strain_rate, strain_rate);
   if (form == StressForm::corrected && dimension == 3) take_extra();
   form_ = form;

@@ -11,9 +11,33 @@
 
 namespace scarp::kernels {
 
-/// L M^-1. Equation: K1. 2D sets the third row and column of M to (0, 0, 1).
-template <class T>
+/// L M^-1 where det M allows, else L. Equation: K1. 3D form; 2D sets the third row and column to
+/// (0, 0, 1).
+template <int Dim, class T>
 SCARP_INLINE Tensor<T> corrected_gradient(const Tensor<T>& l, const SymTensor<T>& m) {
+  const T cxx = m.yy * m.zz - m.yz * m.yz, cxy = m.zx * m.yz - m.xy * m.zz,
+          czx = m.xy * m.yz - m.zx * m.yy;
+  const T determinant = m.xx * cxx + m.xy * cxy + m.zx * czx;
+  const auto usable = determinant >= T(smallest_moment_determinant<Dim>);
+  const T inverse_determinant = T(1.0) / choose(usable, determinant, T(1.0));
+  const SymTensor<T> i =
+      inverse_determinant * SymTensor<T>{cxx, m.xx * m.zz - m.zx * m.zx, m.xx * m.yy - m.xy * m.xy,
+                                         cxy, m.xy * m.zx - m.xx * m.yz, czx};
+  const T inverse[3][3] = {{i.xx, i.xy, i.zx}, {i.xy, i.yy, i.yz}, {i.zx, i.yz, i.zz}};
+  Tensor<T> result;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      const T sum =
+          l.m[a][0] * inverse[0][b] + l.m[a][1] * inverse[1][b] + l.m[a][2] * inverse[2][b];
+      result.m[a][b] = choose(usable, sum, l.m[a][b]);
+    }
+  }
+  return result;
+}
+
+/// L M^-1 for moments that can all be inverted. Equation: K1, K3.
+template <class T>
+SCARP_INLINE Tensor<T> conjugate_gradient(const Tensor<T>& l, const SymTensor<T>& m) {
   const SymTensor<T> i = inverse_of(m);
   const T inverse[3][3] = {{i.xx, i.xy, i.zx}, {i.xy, i.yy, i.yz}, {i.zx, i.yz, i.zz}};
   Tensor<T> result;
@@ -87,7 +111,9 @@ struct ParticleLoads {
             a < Dim && b < Dim ? T::load_aligned(p.velocity_gradient[3 * a + b] + k) : T(0.0);
       }
     }
-    return c.gradient_correction ? corrected_gradient(l, moment(p, k)) : l;
+    if (!c.gradient_correction) return l;
+    return p.force_moment[xx] != nullptr ? conjugate_gradient(l, moment(p, k))
+                                         : corrected_gradient<Dim>(l, moment(p, k));
   }
   static SCARP_INLINE SymTensor<T> moment(const ParticleView& p, std::size_t k) {
     SymTensor<T> m{T::load_aligned(p.moment[xx] + k),
@@ -109,13 +135,13 @@ struct ParticleLoads {
                                        const Tensor<T>& gradient, std::size_t k) {
     const SymTensor<T> m = rotated(
         moment(p, k), hughes_winget_rotation(antisymmetric_part(gradient), T(0.5 * c.leap)));
-    m.xx.store_aligned(p.moment[xx] + k);
-    m.yy.store_aligned(p.moment[yy] + k);
-    m.xy.store_aligned(p.moment[xy] + k);
+    m.xx.store_aligned(p.force_moment[xx] + k);
+    m.yy.store_aligned(p.force_moment[yy] + k);
+    m.xy.store_aligned(p.force_moment[xy] + k);
     if constexpr (Dim == 3) {
-      m.zz.store_aligned(p.moment[zz] + k);
-      m.yz.store_aligned(p.moment[yz] + k);
-      m.zx.store_aligned(p.moment[zx] + k);
+      m.zz.store_aligned(p.force_moment[zz] + k);
+      m.yz.store_aligned(p.force_moment[yz] + k);
+      m.zx.store_aligned(p.force_moment[zx] + k);
     }
   }
   /// Diffusion increment with its lithostatic part: psi = sigma_i - sigma_j + rho g.x_ij T.
@@ -246,7 +272,7 @@ std::uint64_t advance_stress(const ParticleView& p, const StressPassConstants& c
     SymTensor<T> stress;
     T density;
     const Tensor<T> gradient = Loads::gradient(p, c, k);
-    if (c.gradient_correction) Loads::turn_moment(p, c, gradient, k);
+    if (p.force_moment[xx] != nullptr) Loads::turn_moment(p, c, gradient, k);
     bounded += advance_material<Model, T, Dim>(p, c, model, k, gradient, Loads::tensor(p.stress, k),
                                                T::load_aligned(p.density + k), stress, density);
     Loads::store(p.stress, k, stress);

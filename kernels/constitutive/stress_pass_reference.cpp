@@ -15,7 +15,7 @@ using Matrix = Eigen::Matrix3d;
 double contract(const Matrix& a, const Matrix& b) { return a.cwiseProduct(b).sum(); }
 Matrix deviator(const Matrix& a) { return a - a.trace() / 3.0 * Matrix::Identity(); }
 
-/// Velocity gradient over the moment. Equation: K1.
+/// Velocity gradient over the moment, where that can be inverted. Equation: K1.
 Matrix used_gradient(const ReferencePointRates& rates, const StressPassConstants& c,
                      int dimension) {
   Matrix l = matrix_of(rates.velocity_gradient), moment = matrix_of(rates.moment);
@@ -25,7 +25,10 @@ Matrix used_gradient(const ReferencePointRates& rates, const StressPassConstants
     moment.row(2) << 0.0, 0.0, 1.0;
     moment.col(2) << 0.0, 0.0, 1.0;
   }
-  return c.gradient_correction ? Matrix(l * moment.inverse()) : l;
+  const double smallest =
+      dimension == 2 ? smallest_moment_determinant<2> : smallest_moment_determinant<3>;
+  return c.gradient_correction && moment.determinant() >= smallest ? Matrix(l * moment.inverse())
+                                                                   : l;
 }
 
 /// Equation: D1; the lithostatic part removed along gravity (1) and across it (K0).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Included by one tiny source per instruction set, which defines SCARP_ARCH, SCARP_ISA and
-// SCARP_ISA_NAME. Variants add: 16 sweeps in double and 14 in single precision in the full set, 10
+// SCARP_ISA_NAME. Variants add: 22 sweeps in double and 16 in single precision in the full set, 10
 // of each in the general one (SSE2 and the smoke set).
 #include <array>
 
@@ -20,13 +20,14 @@ using Arch = SCARP_ARCH;
 using enum Term;
 
 /// What a scene without gradient correction, with it, and with the stress diffusion sums of the
-/// velocity; and what it sums of the stress, without the correction and with it.
-constexpr TermSet plain{continuity, velocity_gradient},
-    corrected{velocity_gradient, moment, wall_gradient},
-    diffused = corrected | TermSet{diffusion}, viscous{momentum, viscosity},
+/// velocity; and what it sums of the stress. `conjugate` ones are of scenes that correct forces
+/// too.
+constexpr TermSet plain{continuity, velocity_gradient}, corrected{velocity_gradient, moment},
+    diffused{velocity_gradient, moment, diffusion}, viscous{momentum, viscosity},
     tensile{momentum, viscosity, artificial_stress},
-    corrected_viscous = viscous | TermSet{force_correction, hourglass_viscosity},
-    corrected_tensile = tensile | TermSet{force_correction, hourglass_viscosity};
+    any_gradient = plain | diffused, conjugate_gradient = diffused | TermSet{wall_gradient},
+    conjugate_viscous = viscous | TermSet{force_correction},
+    conjugate_force = tensile | TermSet{force_correction, hourglass_viscosity};
 
 template <class Real, int Dim, TermSet... Set>
 constexpr std::array<CompiledSweep<Real>, sizeof...(Set)> compiled{
@@ -45,23 +46,23 @@ consteval auto joined(const std::array<CompiledSweep<Real>, Count>&... part) {
 
 /// Special before general. The last four cover every scene, whose gradients and forces are then
 /// summed one after the other. Before them stands what presets and validation cases run: the sweep
-/// of "paper" without soil in tension and with it; the gradients of "modern" for elastic bodies and
-/// its forces without soil in tension. In single precision sweeps that are rarely run have no
-/// kernel of their own.
+/// of "paper" without soil in tension and with it, that of "modern" with Verlet's integrator; the
+/// gradients of "modern" for elastic bodies and for soil, and its forces. In single precision
+/// sweeps that are rarely run have no kernel of their own.
 #if defined(SCARP_GENERAL_SET) || defined(SCARP_KERNEL_SET_SMOKE)
 template <class Real, int Dim>
 constexpr auto special = compiled<Real, Dim, plain | tensile>;
 #else
 template <class Real, int Dim>
-constexpr auto special =
-    compiled<Real, Dim, plain | viscous, plain | tensile, corrected, corrected_viscous>;
+constexpr auto special = compiled<Real, Dim, plain | viscous, plain | tensile, diffused | viscous,
+                                  corrected, diffused, viscous, conjugate_viscous>;
 template <int Dim>
 constexpr auto special<float, Dim> =
-    compiled<float, Dim, plain | viscous, plain | tensile, corrected_viscous>;
+    compiled<float, Dim, plain | viscous, plain | tensile, diffused, viscous>;
 #endif
 template <class Real, int Dim>
 constexpr auto general =
-    compiled<Real, Dim, plain | TermSet{diffusion}, tensile, diffused, corrected_tensile>;
+    compiled<Real, Dim, any_gradient, tensile, conjugate_gradient, conjugate_force>;
 
 template <class Real>
 constexpr auto sweeps = joined(special<Real, 2>, general<Real, 2>, special<Real, 3>,

@@ -22,7 +22,7 @@ struct ArtificialStress : PairTerm {
   static constexpr PairNeeds needs{.stress = true, .tension_factor = true};
   static constexpr SlotSet reads = density_slot;
   static constexpr std::array<FieldUse, 3> reads_fields{
-      {{"stress", 6}, {"density", 1}, {"moment", 6, true}}};
+      {{"stress", 6}, {"density", 1}, {"force_moment", 6, true}}};
   static constexpr int second_slots = 6;
   static constexpr SecondRank second_rank = SecondRank::tensor;
   static constexpr bool used(const TermSettings& s) { return s.artificial_stress > 0.0; }

@@ -33,11 +33,13 @@ struct ForceCorrection : PairTerm {
       "the force is conjugate to the corrected gradient: stress times inverse moment";
   static constexpr TermSet adds_to{Term::momentum};
   static constexpr SlotSet reads = stress_slots | diffusivity_slot;
-  static constexpr std::array<FieldUse, 1> reads_fields{{{"moment", 6}}};
+  static constexpr std::array<FieldUse, 1> reads_fields{{{"force_moment", 6}}};
   static constexpr int second_slots = 2;
   static constexpr bool marked = false;
   static constexpr SecondRank second_rank = SecondRank::packed;
-  static constexpr bool used(const TermSettings& s) { return s.gradient_correction; }
+  static constexpr bool used(const TermSettings& s) {
+    return s.gradient_correction && s.force_correction;
+  }
   static constexpr int flops(int) { return 0; }
 
   template <class B, int Dim>

@@ -30,7 +30,7 @@ SCARP_INLINE void keep_invertible(B (&m)[Dim * (Dim + 1) / 2]) {
 }
 
 /// Equation: K1; moment_ab = sum_j V_j (x_j - x_i)_a d_b W [-], symmetric; the identity inside a
-/// perfect, undisturbed body; stored so that it can be inverted.
+/// perfect, undisturbed body; where forces are corrected too, stored so that it can be inverted.
 struct Moment : PairTerm {
   static constexpr Term term = Term::moment;
   static constexpr const char* name = "gradient correction";
@@ -64,7 +64,7 @@ struct Moment : PairTerm {
       B moment[size];
       for (int k = 0; k < size; ++k)
         moment[k] = own.fold(-minus_moment[k] * own.smoothing_length());
-      keep_invertible<Dim>(moment);
+      if constexpr (Own::corrects_forces) keep_invertible<Dim>(moment);
       for (int k = 0; k < size; ++k) own.put(out[component[Dim - 2][k]], moment[k]);
     }
   };

@@ -74,7 +74,8 @@ struct StoreValues {
   const Sums& sums;
   const decltype(OwnValues::i)& i = own.i;
 
-  static constexpr bool corrected = Sums::set.has(Term::force_correction);
+  static constexpr bool corrected = Sums::set.has(Term::force_correction),
+                        corrects_forces = Sums::set.has(Term::wall_gradient);
 
   SCARP_INLINE B value(int slot) const { return own.value(slot); }
   SCARP_INLINE bool has_marked() const { return own.view.marked != nullptr; }

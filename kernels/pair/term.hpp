@@ -94,6 +94,7 @@ struct PairNeeds {
 /// What a scene's numerics ask of the pair terms.
 struct TermSettings {
   bool gradient_correction = true;
+  bool force_correction = false;
   bool yields = false;  ///< any of the scene's materials does
   double viscosity_alpha = 0.0;
   double viscosity_beta = 0.0;

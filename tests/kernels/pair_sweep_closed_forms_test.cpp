@@ -31,7 +31,7 @@ struct GradientAndMoment {
     moment.yz = out.field(14)[i];
     moment.zx = out.field(15)[i];
   }
-  Tensor<double> corrected() const { return corrected_gradient(gradient, moment); }
+  Tensor<double> corrected() const { return conjugate_gradient(gradient, moment); }
 };
 
 constexpr TermSet corrected_terms{Term::velocity_gradient, Term::moment, Term::wall_gradient};

@@ -175,7 +175,7 @@ class States {
       for (int b = 0; b < dimension_; ++b) r.velocity_gradient[a][b] = size * unit();
     }
     r.moment = tensor(0.8, 0.2);
-    if (unit() > 0.7) r.moment = tensor(0.4, 0.1);  // of a corner
+    if (unit() > 0.7) r.moment = tensor(0.1, 0.1);  // not usable
     r.diffusion_rate = tensor(0.0, 1e6);
     r.diffusion_slope = 100.0 * unit();
     r.density_rate = 1e3 * unit();

@@ -33,7 +33,7 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 struct Point {
   Vec3 position{}, velocity{};
   Matrix stress{};
-  Matrix tension{};  ///< of the second line
+  Matrix tension{};         ///< of the second line
   Matrix inverse_moment{};  ///< B
 };
 
@@ -155,7 +155,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     const Corner corner(random);
     constexpr std::int64_t count = 40;
     constexpr Field used[]{Field::position, Field::build_position, Field::velocity,
-                           Field::density,  Field::stress,         Field::moment};
+                           Field::density,  Field::stress,         Field::force_moment};
     ParticleBuffers soil(
         3, {{{.reference_density = density, .mass = 1.0}, 0, count, padded(count)}}, used);
     std::vector<Point> wanted;
@@ -191,7 +191,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
                                               r[0] * r[1], r[1] * r[2], r[2] * r[0]};
       }
       const double of_moment[6] = {m.xx, m.yy, m.zz, m.xy, m.yz, m.zx};
-      for (int c = 0; c < 6; ++c) soil.component(Field::moment, c)[k] = of_moment[c];
+      for (int c = 0; c < 6; ++c) soil.component(Field::force_moment, c)[k] = of_moment[c];
       for (int a = 0; a < 3; ++a) {
         const auto axis = static_cast<std::size_t>(a);
         point.velocity[axis] = number(random);
@@ -215,17 +215,16 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     Records records(soil.slots(), 0);
     records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot, StressForm::plain);
     records.resize(0, images.count());
-    images.pack(records, scaling.inverse_smoothing_length, offset, velocity, corner.gravity);
+    const MirrorImages::Mirrors mirrors{scaling.inverse_smoothing_length, offset, velocity,
+                                        corner.gravity};
+    images.pack(records, mirrors);
     records.take_second();
     for (std::int64_t k = 0; k < count; k += 2) {
       std::copy_n(tension[static_cast<std::size_t>(k)].data(), 6,
                   records.second(k) + first_tension);
       records.mark(k) = 1;
     }
-    images.pack_second(records, TermSet{Term::artificial_stress});
-    const MirrorImages::Mirrors mirrors{scaling.inverse_smoothing_length, offset, velocity,
-                                        corner.gravity};
-    images.pack(records, mirrors);
+    images.pack_second(records, TermSet{Term::artificial_stress}, 3);
     std::vector<Point> made;
     for (std::int64_t g = 0; g < images.count(); ++g) {
       const std::int64_t index = records.layout()[Role::image].first + g;
@@ -239,7 +238,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     std::vector<std::pair<Vec3, Tensor<double>>> taken;
     for (std::int64_t g = 0; g < images.count(); ++g) {
       const std::int64_t record = records.layout()[Role::image].first + g;
-      taken.emplace_back(read_record(records.record(record)).position,
+      taken.emplace_back(read_record(records.record(record), records.second(record)).position,
                          records.corrected_stress(record, 3));
     }
     std::sort(taken.begin(), taken.end(),

@@ -42,7 +42,7 @@ Scene grains(int dimension, const std::vector<Vec3>& cells, const std::vector<Ve
     scene.bodies[k].velocity = velocities[k];
   }
   scene.numerics.smoothing = SmoothingFunction::cubic_spline;
-  scene.numerics.viscosity_alpha = scene.numerics.hourglass_viscosity = 0.0;
+  scene.numerics.viscosity_alpha = 0.0;
   scene.numerics.artificial_stress = 0.0;
   scene.gravity = {1.0, -2.0, dimension == 3 ? 0.5 : 0.0};
   scene.stages = {stage_for("fly", 1.0)};

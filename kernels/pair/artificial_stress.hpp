@@ -114,7 +114,7 @@ struct ArtificialStress : PairTerm {
    private:
     template <bool Corrected>
     static constexpr int place(int a, int b) {
-      return Corrected && Dim == 2 ? corrected_place<2>[a][b] : tensor_index[a][b];
+      return Corrected && Dim == 2 ? corrected_place_of(2, a, b) : tensor_place(a, b);
     }
   };
 };

@@ -41,6 +41,13 @@ struct PairMotion {
 /// Position of component (a, b) among xx, yy, zz, xy, yz, zx.
 inline constexpr int tensor_index[3][3] = {{xx, xy, zx}, {xy, yy, yz}, {zx, yz, zz}};
 
+/// The same for indices of a loop. A table of its own: one that several objects share would be
+/// taken from any of them.
+SCARP_INLINE constexpr int tensor_place(int a, int b) {
+  constexpr int places[3][3] = {{xx, xy, zx}, {xy, yy, yz}, {zx, yz, zz}};
+  return places[a][b];
+}
+
 /// The stored components of a tensor whose first four are in one quad.
 template <int Dim, class Quad, class B>
 SCARP_INLINE void take_tensor(const Quad& first, const Quad& second, B (&out)[6]) {

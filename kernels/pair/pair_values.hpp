@@ -52,7 +52,7 @@ struct OwnValues {
     if constexpr (Set.has(Term::hourglass_viscosity)) {
       for (int a = 0; a < Dim; ++a) {
         for (int b = a; b < Dim; ++b) {
-          const int c = tensor_index[a][b];
+          const int c = tensor_place(a, b);
           if constexpr (Dim == 2) {
             i.strain_rate[c] = value(record_stress + strain_rate_place[a][b]);
           } else {
@@ -81,8 +81,8 @@ struct StoreValues {
   SCARP_INLINE bool has_marked() const { return own.view.marked != nullptr; }
   /// Component (a, b) of what the force takes for stress: a its direction, b summed with grad W.
   SCARP_INLINE B force_stress(int a, int b) const {
-    if constexpr (!corrected) return value(record_stress + tensor_index[a][b]);
-    const int place = corrected_place<OwnValues::dimension>[a][b];
+    if constexpr (!corrected) return value(record_stress + tensor_place(a, b));
+    const int place = corrected_place_of(OwnValues::dimension, a, b);
     return place < 8 ? value(record_stress + place) : second<ForceCorrection>(place - 8);
   }
   /// Value `c` of term T in the second or the extra line.
@@ -145,7 +145,7 @@ struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real,
   /// Component (a, b) of what the force takes for the stress of j: a its direction, b summed with
   /// grad W.
   SCARP_INLINE B& force_stress(int a, int b) {
-    return stress[corrected ? a * Dim + b : tensor_index[a][b]];
+    return stress[corrected ? a * Dim + b : tensor_place(a, b)];
   }
   /// Any value of the record of j.
   template <int Slot>

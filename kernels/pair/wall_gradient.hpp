@@ -56,7 +56,8 @@ struct WallGradient : PairTerm {
     };
     template <class Own>
     SCARP_INLINE OwnPart own_part(const Own& own) const {
-      const B scale = B(1) / own.value(record_volume);
+      // Padding has no volume.
+      const B scale = B(1) / max(own.value(record_volume), B(closest<typename B::value_type>));
       OwnPart own_part;
       for (int k = 0; k < Dim * Dim; ++k) own_part.part[k] = own.fold(sum[k]) * scale;
       return own_part;

@@ -240,7 +240,7 @@ void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t clus
     for (int b = 0; b < Dim; ++b) {
       B sum = sums[a * Dim + b];
       if (a == b) sum = sum - lithostatic_sum;
-      dummies.put_average(view.sums[corrected_place<Dim>[a][b]], sum, weights);
+      dummies.put_average(view.sums[corrected_place_of(Dim, a, b)], sum, weights);
     }
   }
 }

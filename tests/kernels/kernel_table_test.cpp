@@ -75,7 +75,9 @@ void expect_most_special(std::span<const CompiledSweep<Real>> sweeps, PairSweep<
   EXPECT_TRUE(have->terms.covers(wanted.terms));
   const int work = pair_flops(PairTerms{}, wanted.dimension, have->terms);
   for (const CompiledSweep<Real>& other : sweeps) {
-    if (other.variant.dimension != wanted.dimension || !other.variant.terms.covers(wanted.terms))
+    constexpr TermSet other_records{Term::wall_gradient, Term::force_correction};
+    if (other.variant.dimension != wanted.dimension || !other.variant.terms.covers(wanted.terms) ||
+        !((other.variant.terms & other_records) == (wanted.terms & other_records)))
       continue;
     // Nothing more special that covers it was passed over; a half is never summed with the other.
     if (gradient_terms(other.variant.terms) == other.variant.terms ||

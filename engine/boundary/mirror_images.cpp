@@ -44,11 +44,11 @@ void reflect_tensor(double* s, const Vec3& n) {
 void reflect_corrected(double* s, const Vec3& n) {
   Tensor<double> t{};
   for (int a = 0; a < 2; ++a) {
-    for (int b = 0; b < 2; ++b) t.m[a][b] = s[corrected_place<2>[a][b]];
+    for (int b = 0; b < 2; ++b) t.m[a][b] = s[corrected_place<2>(a, b)];
   }
   t = rotated(t, reflection(n));
   for (int a = 0; a < 2; ++a) {
-    for (int b = 0; b < 2; ++b) s[corrected_place<2>[a][b]] = t.m[a][b];
+    for (int b = 0; b < 2; ++b) s[corrected_place<2>(a, b)] = t.m[a][b];
   }
 }
 

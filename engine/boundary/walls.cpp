@@ -125,7 +125,7 @@ void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int di
   for (int a = 0; a < dimension; ++a) {
     for (int b = 0; b < dimension; ++b) {
       const int place =
-          dimension == 2 ? wall_gradient_place<2>[a][b] : wall_gradient_place<3>[a][b];
+          dimension == 2 ? wall_gradient_place<2>(a, b) : wall_gradient_place<3>(a, b);
       r[record_density + place] = r[record_volume] * t.m[a][b];
     }
   }

@@ -13,15 +13,14 @@ namespace scarp::kernels {
 /// of the force, b is summed with grad W. In 2D T_yx stands in place of sigma_zz, which no force
 /// comes of; in 3D in that of the diffusivity, which the force does not read.
 template <int Dim>
-inline constexpr int corrected_place[3][3] = {{xx, xy, 8}, {7, yy, yz}, {zx, 9, zz}};
-template <>
-inline constexpr int corrected_place<2>[3][3] = {{xx, xy, -1}, {zz, yy, -1}, {-1, -1, -1}};
-static_assert(record_stress + 7 == record_diffusivity);
-/// The same for indices of a loop.
-SCARP_INLINE constexpr int corrected_place_of(int dimension, int a, int b) {
+SCARP_INLINE constexpr int corrected_place(int a, int b) {
   constexpr int in_plane[2][2] = {{xx, xy}, {zz, yy}};
   constexpr int in_space[3][3] = {{xx, xy, 8}, {7, yy, yz}, {zx, 9, zz}};
-  return dimension == 2 ? in_plane[a][b] : in_space[a][b];
+  return Dim == 2 ? in_plane[a % 2][b % 2] : in_space[a][b];
+}
+static_assert(record_stress + 7 == record_diffusivity);
+constexpr int corrected_place_of(int dimension, int a, int b) {
+  return dimension == 2 ? corrected_place<2>(a, b) : corrected_place<3>(a, b);
 }
 /// This term's first value in the extra line.
 inline constexpr int corrected_extra = 0;

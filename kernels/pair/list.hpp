@@ -49,7 +49,8 @@ inline constexpr int first_output = sum_before<T>(List{},
                                                   [](auto term) { return output_count_of(term); });
 template <class List, class T, bool Marked = T::marked>
 inline constexpr int first_second = sum_before<T>(List{}, [](auto term) {
-  return decltype(term)::marked == Marked ? decltype(term)::second_slots : 0;
+  const bool counts = decltype(term)::marked == Marked;
+  return counts * decltype(term)::second_slots;
 });
 
 /// How many values all terms of a list write, and have in the second line.

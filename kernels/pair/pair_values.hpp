@@ -192,7 +192,7 @@ struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real,
     if constexpr (corrected) {
       unrolled<Dim>([&](auto a) SCARP_LAMBDA {
         unrolled<Dim>([&](auto b) SCARP_LAMBDA {
-          constexpr int place = corrected_place<Dim>[a][b];
+          constexpr int place = corrected_place<Dim>(a, b);
           B& out = stress[a * Dim + b];
           if constexpr (place < 4) {
             out = first(constant<place>);

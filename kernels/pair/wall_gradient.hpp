@@ -10,9 +10,11 @@ namespace scarp::kernels {
 /// sweep of gradients, counted from `record_density`: in slots that no pair of soil and dummy reads
 /// there.
 template <int Dim>
-inline constexpr int wall_gradient_place[3][3] = {{1, 4, 6}, {8, 2, 5}, {7, 0, 3}};
-template <>
-inline constexpr int wall_gradient_place<2>[3][3] = {{1, 4, -1}, {3, 2, -1}, {-1, -1, -1}};
+SCARP_INLINE constexpr int wall_gradient_place(int a, int b) {
+  constexpr int in_plane[2][2] = {{1, 4}, {3, 2}};
+  constexpr int in_space[3][3] = {{1, 4, 6}, {8, 2, 5}, {7, 0, 3}};
+  return Dim == 2 ? in_plane[a % 2][b % 2] : in_space[a][b];
+}
 
 /// Equation: B5; L_j += (1/V_j) sum_w W_jw H_w, the transpose of the average by which the wall
 /// takes the stress of the soil (B2), so that walls take and give no energy of their own. It is
@@ -45,7 +47,7 @@ struct WallGradient : PairTerm {
         unrolled<Dim>([&](auto b) SCARP_LAMBDA {
           B& into = sum[a * Dim + b];
           into = fma(pair.smoothing_value,
-                     pair.value(constant<record_density + wall_gradient_place<Dim>[a][b]>), into);
+                     pair.value(constant<record_density + wall_gradient_place<Dim>(a, b)>), into);
         });
       });
     }

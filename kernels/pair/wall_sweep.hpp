@@ -219,7 +219,7 @@ void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t clus
                                  pair.along(view.gravity), lithostatic_sum);
     unrolled<Dim>([&](auto a) SCARP_LAMBDA {
       unrolled<Dim>([&](auto b) SCARP_LAMBDA {
-        constexpr int place = corrected_place<Dim>[a][b];
+        constexpr int place = corrected_place<Dim>(a, b);
         B& sum = sums[a * Dim + b];
         if constexpr (place < 4) {
           sum = xsimd::fma(weight, stresses(constant<place>), sum);

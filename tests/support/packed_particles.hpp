@@ -187,7 +187,7 @@ class PackedParticles {
         for (int a = 0; a < dimension; ++a) {
           for (int b = 0; b < dimension; ++b) {
             const int place =
-                dimension == 2 ? wall_gradient_place<2>[a][b] : wall_gradient_place<3>[a][b];
+                dimension == 2 ? wall_gradient_place<2>(a, b) : wall_gradient_place<3>(a, b);
             r[record_density + place] =
                 gradient_factor * unit * p.wall_gradient[k][static_cast<std::size_t>(3 * a + b)];
           }

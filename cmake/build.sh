@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What tests/run, validation/run and .ci/run share; to be sourced by bash.
-# SCARP_CMAKE_ARGS: more arguments for every configure. SCARP_JOBS: compilers at once.
+# SCARP_CMAKE_ARGS: more arguments for every configure. SCARP_JOBS: compilers, and tests, at once.
 set -euo pipefail
 scarp_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -31,5 +31,5 @@ scarp_test() {
   local preset=$1
   shift
   scarp_say "running the tests of the preset $preset"
-  (cd "$scarp_root" && ctest --preset "$preset" "$@")
+  (cd "$scarp_root" && ctest --preset "$preset" --parallel "$(scarp_jobs)" "$@")
 }

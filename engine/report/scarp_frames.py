@@ -172,9 +172,17 @@ def read_table(path):
             columns[name] = np.where(np.isfinite(values), values, np.nan)
         except ValueError:
             columns[name] = texts
-    if len(rows) < 2 or not isinstance(columns.get("time"), np.ndarray):
-        raise Damaged(path, "has no column of times")
+    if len(rows) < 2:
+        raise Damaged(path, "has no row as long as its head")
     return columns, units
+
+
+def read_history(path):
+    """A table over time, as `read_table` gives it."""
+    table = read_table(path)
+    if table and not isinstance(table[0].get("time"), np.ndarray):
+        raise Damaged(path, "has no column of times")
+    return table
 
 
 def read_results(folder):

@@ -4,7 +4,7 @@
 import numpy as np
 
 from scarp_figures import draw_history, plt
-from scarp_frames import read_table
+from scarp_frames import read_history
 
 
 def history_figures(page, folder, figures):
@@ -15,7 +15,7 @@ def history_figures(page, folder, figures):
 
 
 def draw_table(page, path, draw, picture):
-    table = read_table(path)
+    table = read_history(path)
     if table:
         draw(page, *table, picture)
 

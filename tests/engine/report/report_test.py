@@ -61,6 +61,15 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(units["toe.velocity_x"], "m/s")
         self.assertEqual(columns["stage"], ["settle", "fail"])
 
+    def test_a_table_needs_times_only_where_it_is_a_history(self):
+        path = self.folder / "slip_band.csv"
+        path.write_text("x [m],y [m]\n1,2\n3,4\n", encoding="utf-8")
+        columns, units = scarp_frames.read_table(path)
+        np.testing.assert_array_equal(columns["y"], [2, 4])
+        self.assertEqual(units["x"], "m")
+        with self.assertRaisesRegex(scarp_frames.Damaged, "has no column of times"):
+            scarp_frames.read_history(path)
+
     def test_outline_of_a_block_is_its_rectangle(self):
         (line,) = scarp_figures.outline(self.frame(lattice(16, 8)))
         self.assertEqual(len(line), 5)  # four corners and the first again

@@ -107,8 +107,8 @@ inline State block_state(const BlockOptions& options) {
       }
     }
   }
-  for (const Phase& phase : phases_of(state.scene.numerics.integrator, state.kernels.corrects_forces())
-                                .stage_start)
+  for (const Phase& phase :
+       phases_of(state.scene.numerics.integrator, state.kernels.corrects_forces()).stage_start)
     phase.run(state);
   refresh_neighbours(state);
   return state;

@@ -43,9 +43,9 @@ inline constexpr double position_step = 0x1p-18;
 /// twice the distance no difference overflows.
 inline constexpr double position_reach = 0x1p29 * position_step;
 
-/// Moments with a smaller determinant are led to the identity (`keep_invertible`): a few stray
-/// neighbours in a line or plane. Edges (0.15 in 2D, 0.09 in 3D) and corners (0.03 in 3D) of a
-/// lattice are not: they must not take rotation for strain.
+/// Moments with a smaller determinant are not inverted, or where forces are corrected led to the
+/// identity (`keep_invertible`): a few stray neighbours in a line or plane. Edges (0.15 in 2D, 0.09
+/// in 3D) and corners (0.03 in 3D) of a lattice are not: they must not take rotation for strain.
 template <int Dim>
 inline constexpr double smallest_moment_determinant = Dim == 2 ? 0.1 : 0.01;
 
@@ -218,7 +218,7 @@ struct CandidateView {
 
 /// What a wall sweep makes of the soil near dummies.
 enum class WallSums {
-  extrapolation,    ///< velocity and stress, where gradients are not corrected
+  extrapolation,    ///< velocity and stress, where forces are not corrected
   gradient,         ///< G_w/sum_k W_wk
   corrected_stress  ///< average of T
 };

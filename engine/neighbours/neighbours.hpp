@@ -23,7 +23,7 @@ struct Neighbours {
 
 /// Records of the soil, and how far it has moved since the lists were built.
 void pack_soil(State& state);
-/// The same for a sweep of forces, which where gradients are corrected takes T = sigma B for the
+/// The same for a sweep of forces, which where forces are corrected takes T = sigma B for the
 /// stress. Equation: K3.
 void pack_forces(State& state);
 /// Whether two particles, or one and a wall, may have come into reach that no list names.

@@ -22,7 +22,7 @@ struct RecordScaling {
 };
 
 /// What the stress slots of the soil's records hold: the stress, or T = sigma B, which the force is
-/// summed of where gradients are corrected (K3).
+/// summed of where it is corrected (K3).
 enum class StressForm { plain, corrected };
 
 /// A position no particle is near: b = max(2-q, 0) is 0 and every product stays finite.

@@ -90,7 +90,7 @@ struct DummyPair {
   }
 };
 
-/// Equation: B1 where gradients are not corrected: v_w = v_wall - min(limit, d_w/d) (v - v_wall),
+/// Equation: B1 where forces are not corrected: v_w = v_wall - min(limit, d_w/d) (v - v_wall),
 /// where d_w is the distance of the dummy to the face, d and v are averages of the soil's, with the
 /// weights W_wj; and B2, sigma_w = sum_j [sigma_j - rho_j g.(x_w - x_j) I] W_wj / sum_j W_wj. A
 /// dummy without soil in reach keeps the velocity of its wall and has zero stress.

@@ -76,6 +76,11 @@ struct ElementArguments {
   std::string table;  ///< empty: out/<stem of the scene file>/element_<path>.csv
 };
 
+struct NewArguments {
+  std::string name;  ///< of a template; empty: list them
+  std::string file;  ///< empty: NAME.toml; "-": standard output
+};
+
 /// The scene of the file with the overrides applied. Errors: FileError, SceneError, UsageError.
 Scene load_scene(const SceneArguments& arguments);
 
@@ -104,6 +109,10 @@ int check_command(const CheckArguments& check);
 int converge_command(const ConvergeArguments& arguments);
 int fos_command(const FosArguments& arguments);
 int element_command(const ElementArguments& arguments);
+int new_command(const NewArguments& arguments);
+
+/// `key`: "cohesion", "material.cohesion", "material[0].cohesion" or a section; empty: all of them.
+int explain_command(const std::string& key);
 
 /// `silent`: the page's path is not printed.
 int report_command(const std::string& folder, bool silent = false);

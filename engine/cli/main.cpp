@@ -211,6 +211,17 @@ int run_program(int argc, char** argv) {
   ElementArguments element;
   CLI::App* element_app = add_element_command(app, element);
 
+  NewArguments fresh;
+  CLI::App* new_app = app.add_subcommand("new", "Write a commented scene to begin with");
+  new_app->add_option("template", fresh.name, "Which one; without it, list them");
+  new_app->add_option("file", fresh.file,
+                      "Where to write it, - for standard output; default: <template>.toml");
+
+  std::string key;
+  CLI::App* explain_app = app.add_subcommand("explain", "Say what a key of a scene means");
+  explain_app->add_option("key", key,
+                          "Such as cohesion, material.cohesion or stage; without it, list them");
+
   std::string report_folder;
   CLI::App* report_app = app.add_subcommand(
       "report", "Draw figures and report.html of a run, or of what fos or converge left");
@@ -230,13 +241,16 @@ int run_program(int argc, char** argv) {
     return app.exit(error) == 0 ? ok : usage;
   }
   const std::string note = scarp::note_on_offered_threads();
-  if (!note.empty() && !*report_app) fmt::print(stderr, "warning: {}.\n", note);
+  const bool steps = !*report_app && !*new_app && !*explain_app;
+  if (!note.empty() && steps) fmt::print(stderr, "warning: {}.\n", note);
   if (*run_app) return run_command(run);
   if (*resume_app) return resume_command(resume);
   if (*check_app) return check_command(check);
   if (*converge_app) return converge_command(converge);
   if (*fos_app) return fos_command(fos);
   if (*element_app) return element_command(element);
+  if (*new_app) return new_command(fresh);
+  if (*explain_app) return explain_command(key);
   return report_command(report_folder);
 }
 

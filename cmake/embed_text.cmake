@@ -1,0 +1,15 @@
+# Texts of the repository that the program carries along: FILES become rows {name without ending, text} of the array
+# scarp::cli::VARIABLE in a source of its own, which is written anew when a text changes.
+function(scarp_embed_texts variable source)
+  list(LENGTH ARGN count)
+  set(text "/// Made by cmake/embed_text.cmake.\n#include \"engine/cli/texts.hpp\"\nnamespace scarp::cli {\n")
+  string(APPEND text "namespace {\nconstexpr Text rows[${count}]{\n")
+  foreach(file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    get_filename_component(name ${file} NAME_WLE)
+    file(READ ${file} content)
+    string(APPEND text "{\"${name}\", R\"=====(${content})=====\"},\n")
+  endforeach()
+  string(APPEND text "};\n}  // namespace\nconst std::span<const Text> ${variable}(rows);\n}  // namespace scarp::cli\n")
+  file(CONFIGURE OUTPUT ${source} CONTENT "@text@" @ONLY)
+endfunction()

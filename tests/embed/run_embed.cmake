@@ -47,6 +47,17 @@ if(EXISTS ${SCARP_BUILD}/bin/scarp-validate)
   run(${prefix}/bin/scarp-validate list)
 endif()
 
+# The Python module where it was built: complete, and by itself.
+if(EXISTS ${SCARP_BUILD}/python/scarp)
+  file(GLOB module ${prefix}/lib/python3*/dist-packages/scarp/_core*.so)
+  if(NOT module)
+    message(FATAL_ERROR "the Python module was built, but not installed under ${prefix}/lib/python3*")
+  endif()
+  string(REGEX REPLACE "/scarp/_core[^/]*$" "" packages ${module})
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} ${PYTHON} -c
+      "import scarp, scarp.run_files; assert scarp.__file__.startswith('${packages}'), scarp.__file__")
+endif()
+
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR}
     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release
     -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)

@@ -21,6 +21,7 @@ THIRD_PARTY = {
     "CLI11": (r"CLI/", ("engine/cli/", "validation/", "bench/")),
     "nlohmann-json": (r"nlohmann/", ("engine/", "validation/", "bench/", "tests/")),
     "muParser": (r"muParser", ("engine/", "tests/")),
+    "pybind11": (r"pybind11/", ("engine/python/",)),
     "fmt": (r"fmt/", ("engine/", "validation/", "bench/", "tests/")),
 }
 # Standard headers that mean allocation or I/O; kernels are arithmetic on views.
@@ -90,7 +91,7 @@ def check_third_party(tree):
 
 
 def check_directions(tree):
-    """validation, bench, cli -> engine -> kernels, never back."""
+    """validation, bench, cli, python -> engine -> kernels, never back."""
     forbidden = {
         "kernels/": ("engine/", "validation/", "bench/", "tests/"),
         "engine/": ("validation/", "bench/", "tests/"),
@@ -102,8 +103,8 @@ def check_directions(tree):
             for _, include in tree.includes[file]:
                 if include.startswith(above):
                     yield f"{file}: includes {include} of a layer above {layer}"
-                if layer == "engine/" and include.startswith("engine/cli/") and not file.startswith("engine/cli/"):
-                    yield f"{file}: includes {include}, but the library knows nothing of the command line"
+                if layer == "engine/" and include.startswith(FRONT_ENDS) and not file.startswith(FRONT_ENDS):
+                    yield f"{file}: includes {include}, but the library knows nothing of the command line and Python"
 
 
 # The floors of engine/: a file includes headers of its own entry and of the floors below. Phases are functions of
@@ -125,7 +126,9 @@ FLOORS = (
     ("run/",),
     ("check/", "fos/"),
     ("cli/", "scarp."),
+    ("python/",),
 )
+FRONT_ENDS = ("engine/cli/", "engine/python/")
 FACADE = FLOORS.index(("simulation.",))
 NO_PHASES = {"scene/", "particles/", "cells/"}  # their sources know no state either
 

@@ -39,6 +39,8 @@ BROKEN = {
     "kernel includes a reference": {"kernels/a.hpp": '#include "kernels/sweep_reference.cpp"'},
     "engine includes validation": {"engine/a.cpp": '#include "validation/a.hpp"', "validation/a.hpp": ""},
     "library includes cli": {"engine/a.cpp": '#include "engine/cli/a.hpp"', "engine/cli/a.hpp": ""},
+    "cli includes the Python module": {"engine/cli/a.cpp": '#include "engine/python/a.hpp"', "engine/python/a.hpp": ""},
+    "Python in the library": {"engine/a.cpp": "#include <pybind11/pybind11.h>"},
     "header of a lower floor includes a higher one": {
         "engine/cells/a.hpp": '#include "engine/sweep/a.hpp"', "engine/sweep/a.hpp": ""},
     "header of the same floor, another folder": {

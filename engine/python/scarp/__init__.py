@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slope failure and granular collapse with smoothed-particle hydrodynamics.
+
+    import scarp
+    scene = scarp.Scene.from_toml("bank.toml")
+    simulation = scarp.Simulation(scene)
+    simulation.run(every="0.1 s", callback=lambda s: print(s.time, s.probe("crest").displacement))
+    strain = simulation.field("accumulated_plastic_strain")
+
+Scene           what the soil is, where it lies, what holds it: from TOML, or by keywords
+Simulation      its particles: step, run, field, view, probe, energies, reactions, save, resume
+fos             factor of safety by strength reduction
+converge        estimates of the errors from three spacings
+element         one point of soil along a laboratory test
+read_frames     what a run left in its folder; read_table for its tables
+
+Numbers are SI, stresses positive in tension, tensors xx, yy, zz, xy, yz, zx. A text may carry a unit: "0.25 m". The results
+are those of the program `scarp`, bit for bit. Errors are exceptions in the words of the program, below `scarp.Error`.
+"""
+
+from ._core import CheckpointError, Error, FileError, SceneError, SimulationInstability
+from ._core import version as __version__
+from .frames import Frame, Frames, read_frames, read_table
+from .records import FieldInfo, ModelStep, ProbeSample, StepReport
+from .scene import Scene
+from .simulation import Simulation
+from .studies import Convergence, ElementTest, FactorOfSafety, converge, element, fos
+from .view import View
+
+__all__ = [
+    "CheckpointError", "Convergence", "ElementTest", "Error", "FactorOfSafety", "FieldInfo", "FileError", "Frame", "Frames",
+    "ModelStep", "ProbeSample", "Scene", "SceneError", "Simulation", "SimulationInstability", "StepReport", "View",
+    "converge", "element", "fos", "read_frames", "read_table",
+]

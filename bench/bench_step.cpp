@@ -96,8 +96,19 @@ void add_with_and_without() {
       {"no_viscosity",
        [](BlockOptions& o) { o.numerics.viscosity_alpha = o.numerics.viscosity_beta = 0.0; }},
       {"verlet", [](BlockOptions& o) { o.numerics.integrator = Integrator::verlet; }},
+      {"force_correction", [](BlockOptions& o) { o.numerics.force_correction = true; }},
+      {"2d_force_correction",
+       [](BlockOptions& o) {
+         o.dimension = 2;
+         o.numerics.force_correction = true;
+       }},
       {"elastic", [](BlockOptions& o) { o.soil = rock(); }},
       {"walls", [](BlockOptions& o) { o.walls = true; }},
+      {"walls_force_correction",
+       [](BlockOptions& o) {
+         o.walls = true;
+         o.numerics.force_correction = true;
+       }},
       {"energy", [](BlockOptions& o) { o.energy = true; }}};
   for (const std::string name : {"paper", "modern"}) {
     for (const Change& change : name == "paper" ? of_paper : of_modern) {

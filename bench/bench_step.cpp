@@ -96,18 +96,18 @@ void add_with_and_without() {
       {"no_viscosity",
        [](BlockOptions& o) { o.numerics.viscosity_alpha = o.numerics.viscosity_beta = 0.0; }},
       {"verlet", [](BlockOptions& o) { o.numerics.integrator = Integrator::verlet; }},
-      {"force_correction", [](BlockOptions& o) { o.numerics.force_correction = true; }},
-      {"2d_force_correction",
+      {"no_force_correction", [](BlockOptions& o) { o.numerics.force_correction = false; }},
+      {"2d_no_force_correction",
        [](BlockOptions& o) {
          o.dimension = 2;
-         o.numerics.force_correction = true;
+         o.numerics.force_correction = false;
        }},
       {"elastic", [](BlockOptions& o) { o.soil = rock(); }},
       {"walls", [](BlockOptions& o) { o.walls = true; }},
-      {"walls_force_correction",
+      {"walls_no_force_correction",
        [](BlockOptions& o) {
          o.walls = true;
-         o.numerics.force_correction = true;
+         o.numerics.force_correction = false;
        }},
       {"energy", [](BlockOptions& o) { o.energy = true; }}};
   for (const std::string name : {"paper", "modern"}) {

@@ -111,7 +111,7 @@ inline constexpr NumericsRow numerics_list[] = {
     detail::truth<&Numerics::force_correction>(
         "force_correction", false,
         "force conjugate to the corrected gradient, rough walls led by their stress; acts with "
-        "`gradient_correction`; take `cfl` 0.8"),
+        "`gradient_correction`"),
     detail::choice<&Numerics::stress_rotation>("stress_rotation", StressRotation::jaumann,
                                                "rotation of the stress with the soil"),
     detail::number<&Numerics::viscosity_alpha>("viscosity_alpha", {0.0, 100.0}, 0.1, "-",

@@ -60,18 +60,18 @@ struct Numerics {
   double smoothing_ratio = 1.2;       ///< smoothing length over particle spacing [-]
   bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
   bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
-  bool force_correction = false;  ///< ... and the force, conjugate to it; walls by their average
+  bool force_correction = true;  ///< ... and the force, conjugate to it; walls by their average
   StressRotation stress_rotation = StressRotation::hughes_winget;
   double viscosity_alpha = 0.1;      ///< Eq. 26 [-]
   double viscosity_beta = 0.0;       ///< Eq. 26 [-]
   double hourglass_viscosity = 0.0;  ///< V1 [-]; 0 leaves it out; acts with `force_correction`
   double artificial_stress = 0.0;    ///< epsilon of Eq. 27 [-]; 0 leaves the term out
   std::optional<double> artificial_stress_exponent{};  ///< n of Eq. 20 [-]; empty: W(0)/W(dx)
-  double stress_diffusion = 0.1;       ///< cap of the diffusivity in h c [-]; 0 leaves it out
-  double diffusion_shear_gate = 20.0;  ///< diffusivity per h^2 |shear rate| [-]
+  double stress_diffusion = 0.15;       ///< cap of the diffusivity in h c [-]; 0 leaves it out
+  double diffusion_shear_gate = 150.0;  ///< diffusivity per h^2 |shear rate| [-]
   Integrator integrator = Integrator::kick_drift_kick;
   int verlet_restart_interval = 40;         ///< M of Eq. 29 [steps]
-  double cfl = 1.0;                         ///< N_CFL of Eq. 30 [-]
+  double cfl = 0.8;                         ///< N_CFL of Eq. 30 [-]
   double skin = 0.15;                       ///< margin of the neighbour lists in h [-]
   double density_minimum = 0.5;             ///< bound on density over reference density [-]
   double density_maximum = 1.2;             ///< bound on density over reference density [-]

@@ -48,6 +48,26 @@ TEST(NarrowGapsTest, WallsAreLengthenedToMeet) {
   EXPECT_EQ(joined({{0, 0}, {10, 0}}, {{0, 5}, {0, 0}}).first.length_u, 10.0);
 }
 
+TEST(NarrowGapsTest, AWallThatSlidesPastAnotherIsLengthenedToMeetItThere) {
+  Scene scene = empty_scene(2);
+  const auto length = [&](const Points2& moving, const Vec3& velocity) {
+    scene.walls = {line_wall("plate", WallKind::no_slip, moving),
+                   line_wall("side", WallKind::free_slip, {{0, 5}, {0, -5}})};
+    scene.walls[0].velocity = velocity;
+    Scene closed = scene;
+    close_narrow_gaps(closed);
+    return closed.walls[0].facets[0].length_u;
+  };
+  // A plate high above comes down past the side, 0.3 m beside it.
+  EXPECT_NEAR(length({{9, 8}, {0.3, 8}}, {0, -0.1, 0}), 9.0, 1e-12);
+  // It goes up, or stands, or is a spacing away.
+  EXPECT_NEAR(length({{9, 8}, {0.3, 8}}, {0, 0.1, 0}), 8.7, 1e-12);
+  EXPECT_NEAR(length({{9, 8}, {0.3, 8}}, {}), 8.7, 1e-12);
+  EXPECT_NEAR(length({{9, 8}, {0.5, 8}}, {0, -0.1, 0}), 8.5, 1e-12);
+  // A gate that is lifted off the side, which it touches, keeps its length.
+  EXPECT_NEAR(length({{5, 0}, {0, 0}}, {0.1, 0, 0}), 5.0, 1e-12);
+}
+
 TEST(NarrowGapsTest, BothWidthsAreTold) {
   Scene scene = empty_scene(2);
   scene.walls = {line_wall("base", WallKind::no_slip, {{0.3, 0}, {9, 0}}),

@@ -129,7 +129,7 @@ inline Scene basin(const Meeting& m) {
     scene.stages = {stage_for("press", press / 0.1)};
   } else {
     scene.initial_stress = InitialStress::geostatic;
-    Stage settle = stage_for("settle", 4.0);
+    Stage settle = stage_for("settle", 8.0);
     settle.until = StageEnd::rest;
     settle.damping = 60.0;
     scene.stages = {settle};

@@ -176,7 +176,7 @@ TEST(Snapshot, IsRefusedByAnotherScene) {
       EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
     }
   };
-  refused([](Scene& s) { s.numerics.cfl = 0.5; }, "numerics.cfl = 1, here numerics.cfl = 0.5");
+  refused([](Scene& s) { s.numerics.cfl = 0.5; }, "numerics.cfl = 0.8, here numerics.cfl = 0.5");
   refused([](Scene& s) { s.materials[0].model.set("cohesion", 1.0); }, "material[0].parameters");
   refused([](Scene& s) { s.spacing *= 2.0; }, "spacing");
   refused([](Scene& s) { s.stages.pop_back(); }, "stage[1].name = fail, here nothing");

@@ -99,7 +99,7 @@ name = "top"
 at = [0.5, 4]
 [numerics]
 integrator = "verlet"
-cfl = 0.715
+cfl = 0.5465
 [run]
 retry = 3
 [output]

@@ -38,3 +38,9 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/scarpConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/scarpConfig.cmake ${PROJECT_BINARY_DIR}/scarpConfigVersion.cmake
         DESTINATION ${scarp_package_dir})
+
+# Last, where it can be read.
+if(SCARP_BUILD_PYTHON)
+  install(CODE "execute_process(COMMAND \"${Python_EXECUTABLE}\" \"${PROJECT_SOURCE_DIR}/engine/python/say_where.py\"
+    \"\${CMAKE_INSTALL_PREFIX}/${SCARP_PYTHON_DIR}\")")
+endif()

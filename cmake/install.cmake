@@ -10,6 +10,10 @@ install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -D \"SOURCE=${PROJECT
 
 install(TARGETS scarp_engine EXPORT scarpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS scarp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(TARGET scarp-lammps)
+  install(TARGETS scarp-lammps RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES engine/distributed/COPYING DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME COPYING.scarp-lammps)
+endif()
 if(TARGET scarp-validate)
   install(TARGETS scarp-validate RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the Debian packages scarp needs and this machine lacks; on a set-up machine it does nothing
-# and needs no network. usage: cmake/setup.sh [--with-ci]
+# and needs no network. usage: cmake/setup.sh [lammps] [--with-ci]; `lammps`: for scarp-lammps too
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -11,9 +11,10 @@ fail() { printf 'setup: %s\n' "$@" >&2; exit 1; }
 lists=("$here/packages.txt")
 for argument in "$@"; do
   case $argument in
+    lammps) lists+=("$here/packages_lammps.txt") ;;
     --with-ci) lists+=("$here/packages_ci.txt") ;;
-    -h | --help) echo "usage: cmake/setup.sh [--with-ci]   installs the missing Debian packages"; exit 0 ;;
-    *) fail "unknown argument '$argument'; the only ones are --with-ci and --help" ;;
+    -h | --help) echo "usage: cmake/setup.sh [lammps] [--with-ci]   installs the missing Debian packages"; exit 0 ;;
+    *) fail "unknown argument '$argument'; the only ones are lammps, --with-ci and --help" ;;
   esac
 done
 

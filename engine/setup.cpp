@@ -273,6 +273,8 @@ State make_state(Scene scene, const RunOptions& options, const Particles* partic
   state.boundary.velocity.assign(state.scene.walls.size(), Vec3{});
   state.boundary.hold_force.assign(state.scene.walls.size(), Vec3{});
   fill_particles(state, soil);
+  state.soil_count = static_cast<std::size_t>(state.particles.count());
+  state.soil_mass = state.particles.mass();
   look_at_all_soil(state);
   stop_if_asked(state.options.stop);
   place_walls(state);
@@ -284,6 +286,12 @@ State make_state(Scene scene, const RunOptions& options, const Particles* partic
   }
   start_ledger(state);
   return state;
+}
+
+void take_part(State& state) {
+  state.reduction->divide(state.particles);
+  state.changed = ghost_fields;
+  fit_records(state);
 }
 
 }  // namespace scarp

@@ -12,6 +12,8 @@ namespace scarp {
 
 /// The soil is that of the scene's bodies, or `particles`.
 State make_state(Scene scene, const RunOptions& options, const Particles* particles = nullptr);
+/// All soil has been made: from here on this is the part of it that the reduction leaves.
+void take_part(State& state);
 void set_material_constants(State& state);  ///< for the strength reduction of the current stage
 /// Of one material; the step's own, `leap` and `plastic_share`, and the group's smoothing length
 /// stay 0.

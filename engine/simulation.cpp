@@ -11,13 +11,13 @@
 #include "engine/errors.hpp"
 #include "engine/particles/field_access.hpp"
 #include "engine/particles/noise.hpp"
-#include "engine/particles/probe_reading.hpp"
 #include "engine/particles/readable.hpp"
 #include "engine/particles/slots_by_id.hpp"
 #include "engine/scene/nearest_name.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
 #include "engine/step/phase_runner.hpp"
+#include "engine/step/whole_soil.hpp"
 #include "engine/stop.hpp"
 #include "engine/watch/watch.hpp"
 
@@ -53,17 +53,30 @@ Impl& owned(const std::unique_ptr<Impl>& impl) {
 
 }  // namespace
 
+using Member = JointCall::Member;
+
 struct Simulation::Impl {
   explicit Impl(State made)
       : state(std::move(made)),
         runner(state.scene.numerics.integrator, state.kernels.corrects_forces()) {}
   /// From bodies or `particles`, at the start or where `snapshot` was taken.
+  InCall begin(Member member, double number = 0.0, std::string_view name = {}) const {
+    return {*state.reduction, {.member = member, .number = number, .name = name}};
+  }
   static std::unique_ptr<Impl> make(Scene scene, RunOptions options, const Particles* particles,
                                     const Snapshot* snapshot) {
     return or_abort(options.reduction.get(), [&] {
+      std::optional<InCall> call;
+      if (options.reduction)
+        call.emplace(*options.reduction,
+                     JointCall{.member = Member::make, .scene = &scene, .snapshot = snapshot});
       if (snapshot != nullptr && options.isa.empty()) options.isa = snapshot->text("isa");
       auto impl = std::make_unique<Impl>(make_state(std::move(scene), options, particles));
-      if (snapshot != nullptr) apply_snapshot(impl->state, *snapshot);
+      if (snapshot != nullptr) {
+        apply_snapshot(impl->state, *snapshot);
+      } else {
+        take_part(impl->state);
+      }
       return impl;
     });
   }
@@ -90,6 +103,7 @@ const StepReport& Simulation::step() {
   or_abort(state.reduction.get(), [&] {
     stop_if_asked(state.options.stop);
     if (finished()) throw Error("step() after the last stage has ended: ask finished() first");
+    const InCall call = impl_->begin(Member::step);
     impl_->runner.step(state);
   });
   return state.report;
@@ -115,7 +129,8 @@ void Simulation::set_step_factor(double factor) {
     throw Error(fmt::format(
         "set_step_factor({}): a time step times that is none. Try a number above 0.", factor));
   }
-  owned(impl_).state.clock.step_factor = factor;
+  const InCall call = owned(impl_).begin(Member::set_step_factor, factor);
+  impl_->state.clock.step_factor = factor;
 }
 double Simulation::step_factor() const { return owned(impl_).state.clock.step_factor; }
 
@@ -134,7 +149,10 @@ Simulation Simulation::clone() const {
 Simulation::Simulation(const Simulation& other)
     : impl_(std::make_unique<Impl>(owned(other.impl_))) {}
 
-Snapshot Simulation::snapshot() const { return take_snapshot(owned(impl_).state); }
+Snapshot Simulation::snapshot() const {
+  const InCall call = owned(impl_).begin(Member::snapshot);
+  return take_snapshot(impl_->state);
+}
 
 const Scene& Simulation::scene() const { return owned(impl_).state.scene; }
 const StepReport& Simulation::last_step() const { return owned(impl_).state.report; }
@@ -142,9 +160,7 @@ std::size_t Simulation::stage_index() const { return owned(impl_).state.stage.in
 bool Simulation::stage_ended() const { return owned(impl_).state.stage.ended; }
 bool Simulation::stage_reached_rest() const { return owned(impl_).state.stage.reached_rest; }
 
-std::size_t Simulation::soil_count() const {
-  return static_cast<std::size_t>(owned(impl_).state.particles.count());
-}
+std::size_t Simulation::soil_count() const { return owned(impl_).state.soil_count; }
 std::size_t Simulation::wall_count() const {
   return static_cast<std::size_t>(owned(impl_).state.boundary.walls.count());
 }
@@ -170,12 +186,8 @@ std::vector<double> Simulation::field(std::string_view name) const {
       known += (known.empty() ? "" : ", ") + std::string(field.name);
       continue;
     }
-    std::vector<double> values;
-    for (const std::int64_t slot : slots_by_id(state.particles)) {
-      for (int c = 0; c < component_count(field.rank); ++c)
-        values.push_back(from.value(field, slot, c));
-    }
-    return values;
+    const InCall call = impl_->begin(Member::field, 0.0, name);
+    return whole_field(from, field, *state.reduction);
   }
   throw Error(fmt::format("no field '{}' in this run; there are {}", name, known));
 }
@@ -193,11 +205,8 @@ void Simulation::set_field(std::string_view name, std::span<const double> values
 }
 
 std::vector<std::int64_t> Simulation::ids() const {
-  const ParticleBuffers& particles = owned(impl_).state.particles;
-  std::vector<std::int64_t> ids;
-  for (const std::int64_t slot : slots_by_id(particles))
-    ids.push_back(particles.ids()[static_cast<std::size_t>(slot)]);
-  return ids;
+  const InCall call = owned(impl_).begin(Member::ids);
+  return whole_ids(impl_->state.particles, *impl_->state.reduction);
 }
 
 std::vector<double> Simulation::wall_positions() const {
@@ -213,15 +222,20 @@ std::vector<double> Simulation::wall_positions() const {
 void Simulation::require_sound() const {
   const State& state = owned(impl_).state;
   or_abort(state.reduction.get(), [&] {
+    const InCall call = impl_->begin(Member::require_sound);
     if (const std::optional<Instability> found = inspect(state))
       throw SimulationInstability(*found);
   });
 }
 
 const LostSoil& Simulation::lost_soil() const { return owned(impl_).state.lost; }
-EnergyBalance Simulation::energy() const { return energy_balance(owned(impl_).state); }
+EnergyBalance Simulation::energy() const {
+  const InCall call = owned(impl_).begin(Member::energy);
+  return energy_balance(impl_->state);
+}
 std::vector<WallReaction> Simulation::wall_reactions() const {
-  return scarp::wall_reactions(owned(impl_).state);
+  const InCall call = owned(impl_).begin(Member::wall_reactions);
+  return scarp::wall_reactions(impl_->state);
 }
 
 ProbeSample Simulation::probe(std::size_t index) const {
@@ -230,7 +244,8 @@ ProbeSample Simulation::probe(std::size_t index) const {
     throw Error(fmt::format("probe({}): the scene has {} probes. Try an index below that.", index,
                             state.probe_particles.size()));
   }
-  return read_probe(state.scene, state.particles, state.probe_particles[index]);
+  const InCall call = impl_->begin(Member::probe, static_cast<double>(index));
+  return whole_probe(state.scene, state.particles, state.probe_particles[index], *state.reduction);
 }
 
 ProbeSample Simulation::probe(std::string_view name) const {
@@ -248,7 +263,7 @@ const std::vector<ProbeParticle>& Simulation::probe_particles() const {
 }
 
 double Simulation::spacing() const { return owned(impl_).state.particles.largest_spacing(); }
-double Simulation::soil_mass() const { return owned(impl_).state.particles.mass(); }
+double Simulation::soil_mass() const { return owned(impl_).state.soil_mass; }
 double Simulation::smoothing_length() const { return owned(impl_).state.smoothing_length; }
 double Simulation::acoustic_cfl_limit() const { return owned(impl_).state.limits.acoustic_cfl; }
 double Simulation::lattice_moment() const { return owned(impl_).state.lattice_moment; }
@@ -268,6 +283,7 @@ std::size_t Simulation::memory_bytes() const {
 std::uint64_t Simulation::rebuild_count() const { return owned(impl_).state.neighbours.rebuilds; }
 std::uint64_t Simulation::density_bound_count() const {
   const State& state = owned(impl_).state;
+  const InCall call = impl_->begin(Member::density_bound_count);
   return static_cast<std::uint64_t>(
       state.reduction->sum_of(static_cast<double>(state.density_bounds)));
 }
@@ -276,6 +292,7 @@ const StepLimitCounts& Simulation::step_limit_counts() const {
 }
 std::uint64_t Simulation::face_hold_count() const {
   const State& state = owned(impl_).state;
+  const InCall call = impl_->begin(Member::face_hold_count);
   return static_cast<std::uint64_t>(
       state.reduction->sum_of(static_cast<double>(state.boundary.holds)));
 }

@@ -15,6 +15,7 @@
 #include "engine/particles/probe_sample.hpp"
 #include "engine/run_options.hpp"
 #include "engine/stages/stages.hpp"
+#include "engine/step/phase.hpp"
 #include "engine/step/reduction.hpp"
 #include "engine/sweep/pair_sweeps.hpp"
 #include "engine/team.hpp"
@@ -34,7 +35,10 @@ struct State {
   bool start_is_geostatic = false;  ///< stress at the start, where no particle brings its own
 
   ParticleBuffers particles;
-  ParticleBuffers ghosts;  ///< soil near the own that somebody else moves; neighbours only
+  ParticleBuffers ghosts;      ///< soil near the own that somebody else moves; neighbours only
+  DataSet changed;             ///< fields of the soil of which ghosts elsewhere may be outdated
+  std::size_t soil_count = 0;  ///< of all parts
+  double soil_mass = 0.0;      ///< of all parts [kg]
   RecordScaling scaling;
   SweepInput sweep;
   Neighbours neighbours;

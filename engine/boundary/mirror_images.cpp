@@ -85,8 +85,7 @@ void MirrorImages::ask_faces(const Scene& scene, const WallSurface& surface,
 }
 
 void MirrorImages::select(const Scene& scene, const WallSurface& surface,
-                          const WallPlacement& walls, const PointSpan& soil,
-                          std::span<const SlotRange> ranges, std::span<const double> k0,
+                          const WallPlacement& walls, const Soil& own, const Soil& ghosts,
                           double reach, double close) {
   images_.clear();
   close_.clear();
@@ -95,23 +94,31 @@ void MirrorImages::select(const Scene& scene, const WallSurface& surface,
     return wall.kind == WallKind::free_slip;
   });
   if (!any_smooth) return;
-  const auto soil_point = [&soil](std::int64_t k) {
-    return Vec3{soil.x[k], soil.y[k], soil.z != nullptr ? soil.z[k] : 0.0};
+  const std::int64_t own_end = own.ranges.empty() ? 0 : own.ranges.back().end;
+  const auto soil_point = [&](std::int64_t record) {
+    const Soil& soil = record < own_end ? own : ghosts;
+    const std::int64_t k = record - soil.first_record;
+    return Vec3{soil.points.x[k], soil.points.y[k],
+                soil.points.z != nullptr ? soil.points.z[k] : 0.0};
   };
-  for (std::size_t r = 0; r < ranges.size(); ++r) {
-    for (std::int64_t k = ranges[r].begin; k < ranges[r].end; ++k)
-      ask_faces(scene, surface, walls, soil_point(k), {k, k0[r]}, -1, reach);
+  for (const Soil* soil : {&own, &ghosts}) {
+    for (std::size_t r = 0; r < soil->ranges.size(); ++r) {
+      for (std::int64_t k = soil->ranges[r].begin; k < soil->ranges[r].end; ++k) {
+        const std::int64_t record = soil->first_record + k;
+        ask_faces(scene, surface, walls, soil_point(record), {record, soil->k0[r]}, -1, reach);
+      }
+    }
   }
   while (!asked_.empty()) {
     const auto first = asked_.extract(asked_.begin());
     const auto& [facet, w] = surface.faces()[first.key()];
     for (const Source& source : first.mapped()) {
-      const bool is_image = source.slot < 0;
-      const auto image = static_cast<std::size_t>(-1 - source.slot);
+      const bool is_image = source.record < 0;
+      const auto image = static_cast<std::size_t>(-1 - source.record);
       // An image straight behind this very plane is no neighbour of it; those of other planes are.
       if (is_image && images_[image].normal == facet.normal) continue;
       const Vec3 x = is_image ? Vec3{position_[0][image], position_[1][image], position_[2][image]}
-                              : soil_point(source.slot);
+                              : soil_point(source.record);
       Vec3 from;
       for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - walls.offset[w][a];
       const double distance = dot(from, facet.normal);
@@ -119,12 +126,12 @@ void MirrorImages::select(const Scene& scene, const WallSurface& surface,
       if (distance > reach || distance < -0.125 * reach ||
           !in_footprint(facet, from, is_image ? reach : 0.0))
         continue;
-      if (!is_image && distance <= close) {
-        close_.resize(static_cast<std::size_t>(ranges.back().end), 0);
-        close_[static_cast<std::size_t>(source.slot)] = 1;
+      if (!is_image && source.record < own_end && distance <= close) {
+        close_.resize(static_cast<std::size_t>(own_end), 0);
+        close_[static_cast<std::size_t>(source.record)] = 1;
       }
       const std::int64_t made = count();
-      images_.push_back({source.slot, w, facet.normal, facet.origin, source.lateral});
+      images_.push_back({source.record, w, facet.normal, facet.origin, source.lateral});
       Vec3 place;
       for (std::size_t a = 0; a < 3; ++a) {
         place[a] = x[a] - 2.0 * distance * facet.normal[a];
@@ -179,18 +186,25 @@ void MirrorImages::pack(Records& records, const Mirrors& mirrors) const {
 }
 
 void MirrorImages::pack_corrected(Records& records, const Mirrors& mirrors,
-                                  const ParticleBuffers& soil) const {
+                                  const ParticleBuffers& soil,
+                                  const ParticleBuffers& ghosts) const {
   const std::int64_t first = records.layout()[Role::image].first;
   const int dimension = soil.dimension();
-  const double* moment[6];
+  const std::int64_t first_ghost = records.layout()[Role::ghost].first;
+  const double *moment[6], *ghost_moment[6];
   soil.components(Field::force_moment, moment);
+  if (ghosts.slots() > 0) ghosts.components(Field::force_moment, ghost_moment);
+  const auto moment_of_soil = [&](std::int64_t record) {
+    return record < first_ghost ? inverse_moment(moment, record)
+                                : inverse_moment(ghost_moment, record - first_ghost);
+  };
   std::vector<SymTensor<double>> inverse(images_.size());  // B of each image
   for (std::size_t g = 0; g < images_.size(); ++g) {
     const Image& image = images_[g];
     const double weight = pack_motion(records, mirrors, g);
     const Tensor<double> mirror = reflection(image.normal);
     const SymTensor<double> of_source = image.source >= 0
-                                            ? inverse_moment(moment, image.source)
+                                            ? moment_of_soil(image.source)
                                             : inverse[static_cast<std::size_t>(-1 - image.source)];
     inverse[g] = rotated(of_source, mirror);
     std::array<double, 6> between{};

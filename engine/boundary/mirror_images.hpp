@@ -22,12 +22,18 @@ namespace scarp {
 /// that meet must do so at right angles (images of images fill the corner).
 class MirrorImages {
  public:
+  /// Soil that has images: slots of `ranges`, each with its `k0`, behind record `first_record`.
+  struct Soil {
+    PointSpan points;
+    std::span<const SlotRange> ranges;
+    std::span<const double> k0;
+    std::int64_t first_record = 0;
+  };
   /// Soil within `reach` in front of a standing free-slip facet and inside its footprint, then the
-  /// images of images across the facets that follow. `k0` has a value for each range. Soil within
-  /// `close` of such a facet is kept in mind.
+  /// images of images across the facets that follow. Own soil, whose records come first, is kept in
+  /// mind if it is within `close` of such a facet.
   void select(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,
-              const PointSpan& soil, std::span<const SlotRange> ranges, std::span<const double> k0,
-              double reach, double close);
+              const Soil& own, const Soil& ghosts, double reach, double close);
 
   std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
   PointSpan points() const {
@@ -50,7 +56,8 @@ class MirrorImages {
   /// Records of the images from those of their sources.
   void pack(Records& records, const Mirrors& mirrors) const;
   /// ... that hold T = sigma B: (R sigma R + weight)(R B R). Equation: B3, K3.
-  void pack_corrected(Records& records, const Mirrors& mirrors, const ParticleBuffers& soil) const;
+  void pack_corrected(Records& records, const Mirrors& mirrors, const ParticleBuffers& soil,
+                      const ParticleBuffers& ghosts) const;
   /// Second lines of the images from those of their sources.
   void pack_second(Records& records, kernels::TermSet terms, int dimension) const;
   std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
@@ -60,15 +67,15 @@ class MirrorImages {
   double pack_motion(Records& records, const Mirrors& mirrors, std::size_t image) const;
 
   struct Image {
-    std::int64_t source;  ///< soil slot, or -1 - image
+    std::int64_t source;  ///< record of soil, or -1 - image
     std::size_t wall;
     Vec3 normal;
     Vec3 origin;     ///< a point of the facet before its wall moved
     double lateral;  ///< K0 of the soil it is an image of
   };
-  /// What may have an image: a soil slot, or -1 - image.
+  /// What may have an image: a record of soil, or -1 - image.
   struct Source {
-    std::int64_t slot;
+    std::int64_t record;
     double lateral;
   };
   void ask_faces(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,

@@ -34,6 +34,9 @@ class Taker {
   void integer(const char* name, T value, std::int64_t = 0) {
     out_.add(name, std::vector<std::int64_t>{static_cast<std::int64_t>(value)});
   }
+  void count(const char* name, std::uint64_t of_part, Reduction& parts) {
+    integer(name, parts.sum_of(static_cast<double>(of_part)));
+  }
 
  private:
   Snapshot& out_;
@@ -51,6 +54,10 @@ class Putter {
     const std::int64_t stored = from_.integers(name, 1).front();
     if (stored < 0 || stored > most) refuse(name, static_cast<double>(stored));
     value = static_cast<T>(stored);
+  }
+  void count(const char* name, std::uint64_t& of_part, const Reduction& parts) {
+    integer(name, of_part);
+    if (!parts.leads()) of_part = 0;
   }
 
  private:
@@ -96,8 +103,8 @@ void exchange(Archive& a, AnyState& state) {
   a.integer("lists/valid", state.neighbours.valid);
   a.integer("lists/rebuilds", state.neighbours.rebuilds);
   a.number("lists/walls_moved", "m", state.boundary.moved, not_negative);
-  a.integer("counts/density_bounds", state.density_bounds);
-  a.integer("counts/face_holds", state.boundary.holds);
+  a.count("counts/density_bounds", state.density_bounds, *state.reduction);
+  a.count("counts/face_holds", state.boundary.holds, *state.reduction);
   for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
     a.integer(fmt::format("counts/steps_by_{}", step_limit_names[k]).c_str(),
               state.limits.counts[k]);

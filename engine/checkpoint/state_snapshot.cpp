@@ -13,6 +13,7 @@
 #include "engine/errors.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
+#include "engine/step/whole_soil.hpp"
 
 namespace scarp {
 namespace {
@@ -56,7 +57,7 @@ void put_dummies(const Snapshot& from, std::string_view name, Walls& walls) {
 }
 
 void take_fields(Snapshot& out, const State& state) {
-  const ParticleBuffers& p = state.particles;
+  const ParticleBuffers p = whole_soil(state.particles, kept, *state.reduction);
   const auto slots = static_cast<std::size_t>(p.slots());
   out.add({"particles/id", "", {slots}, p.ids()});
   for (const FieldRow& field : p.rows()) {
@@ -75,16 +76,15 @@ void take_fields(Snapshot& out, const State& state) {
   }
 }
 
-/// `to`: the field that takes the values, of the same rank as the one they are stored under.
-void put_field(const Snapshot& from, const FieldRow& stored, Field to, State& state) {
+void put_field(const Snapshot& from, const FieldRow& field, State& state) {
   ParticleBuffers& p = state.particles;
-  const std::vector<int> components = stored_components(stored, state.scene.dimension);
+  const std::vector<int> components = stored_components(field, state.scene.dimension);
   const auto slots = static_cast<std::size_t>(p.slots());
   const std::vector<double>& values =
-      finite_numbers(from, fmt::format("fields/{}", stored.name), components.size() * slots);
+      finite_numbers(from, fmt::format("fields/{}", field.name), components.size() * slots);
   auto next = values.begin();
   for (const int c : components) {
-    std::copy_n(next, slots, p.component(to, c));
+    std::copy_n(next, slots, p.component(field.field, c));
     next += static_cast<std::ptrdiff_t>(slots);
   }
 }
@@ -116,6 +116,8 @@ void put_walls(const Snapshot& from, State& state) {
   place_walls(state);
   put_vectors(from, "walls/velocity", state.boundary.velocity);
   put_vectors(from, "walls/hold_force", state.boundary.hold_force);
+  // Of all parts; their sum counts.
+  if (!state.reduction->leads()) state.boundary.hold_force.assign(stands.size(), Vec3{});
 }
 
 void take_lost(Snapshot& out, const State& state) {
@@ -152,13 +154,24 @@ void put_lost(const Snapshot& from, State& state) {
   lost.stage = from.text("lost/stage");
 }
 
-/// Lists depend on nothing but what stood where when they were built.
+void swap_places(ParticleBuffers& p) {
+  for (int a = 0; a < p.dimension(); ++a) {
+    double* const position = p.component(Field::position, a);
+    std::swap_ranges(position, position + p.slots(), p.component(Field::build_position, a));
+  }
+}
+
+/// Lists, and which part holds which soil, depend on nothing but what stood where when they were
+/// built.
 void build_lists_again(const Snapshot& from, State& state) {
-  put_field(from, row(Field::build_position), Field::position, state);
+  swap_places(state.particles);
+  take_part(state);
+  deal_soil(state);
   put_vectors(from, "walls/built_offset", state.boundary.offset);
   if (from.has("walls/built_position"))
     put_dummies(from, "walls/built_position", state.boundary.walls);
   build_lists(state);
+  swap_places(state.particles);
 }
 
 }  // namespace
@@ -171,7 +184,9 @@ Snapshot take_snapshot(const State& state) {
   std::vector<std::int64_t> stands(state.boundary.stands.begin(), state.boundary.stands.end());
   out.add("walls/stands", std::move(stands));
   take_vectors(out, "walls/velocity", "m/s", state.boundary.velocity);
-  take_vectors(out, "walls/hold_force", "N", state.boundary.hold_force);
+  std::vector<Vec3> hold_force = state.boundary.hold_force;
+  state.reduction->sum_each(hold_force);
+  take_vectors(out, "walls/hold_force", "N", hold_force);
   take_vectors(out, "walls/offset", "m", state.boundary.offset);
   take_vectors(out, "walls/placed_offset", "m", state.boundary.placed_offset);
   take_vectors(out, "walls/built_offset", "m", state.boundary.built_offset);
@@ -203,12 +218,16 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   const bool lists_valid = state.neighbours.valid;
   const double walls_moved = state.boundary.moved;
   set_material_constants(state);
-  if (lists_valid) build_lists_again(snapshot, state);
+  for (const FieldRow& field : state.particles.rows()) {
+    if (kept(field)) put_field(snapshot, field, state);
+  }
+  if (lists_valid) {
+    build_lists_again(snapshot, state);
+  } else {
+    take_part(state);
+  }
   state.neighbours.valid = lists_valid;
   state.boundary.moved = walls_moved;
-  for (const FieldRow& field : state.particles.rows()) {
-    if (kept(field)) put_field(snapshot, field, field.field, state);
-  }
   put_vectors(snapshot, "walls/offset", state.boundary.offset);
   if (snapshot.has("walls/position")) put_dummies(snapshot, "walls/position", state.boundary.walls);
   if (state.stage.started) require_sound(state);

@@ -10,6 +10,7 @@
 
 #include "engine/cli/commands.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/options.hpp"
 #include "engine/element/element_path.hpp"
 #include "engine/fos/limit_search.hpp"
 #include "engine/output/results.hpp"
@@ -18,92 +19,6 @@
 namespace {
 
 using namespace scarp::cli;
-
-void add_isa_option(CLI::App& command, scarp::RunOptions& options) {
-  command
-      .add_option("--isa", options.isa,
-                  "Use this instruction set; default: the best of the machine")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
-}
-
-void add_threads_option(CLI::App& command, scarp::RunOptions& options) {
-  command
-      .add_option("--threads", options.threads,
-                  "Use exactly this many threads; default: as many as make it faster")
-      ->check([](const std::string& text) {
-        int threads = 0;
-        return CLI::detail::lexical_cast(text, threads) ? scarp::complaint_about_threads(threads)
-                                                        : std::string();
-      });
-}
-
-void add_json_option(CLI::App& command, std::string& json) {
-  command.add_option("--json", json, "Write the numbers to this file, - for standard output");
-}
-
-void add_quiet_option(CLI::App& command, bool& quiet) {
-  command.add_flag("-q,--quiet", quiet, "Show no progress");
-}
-
-/// What every command with a scene takes.
-void add_common_options(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("scene", arguments.file, "The scene, a TOML file")->required();
-  add_isa_option(command, arguments.options);
-  command.add_option("--preset", arguments.preset, "Replace the scene's preset")
-      ->check(CLI::IsMember({"modern", "paper"}));
-  add_json_option(command, arguments.json);
-}
-
-void add_scene_options(CLI::App& command, SceneArguments& arguments) {
-  add_common_options(command, arguments);
-  add_threads_option(command, arguments.options);
-}
-
-/// What every command that fills a folder ends with; `ending` tells its folder from those of
-/// others.
-template <class Arguments>
-void add_folder_options(CLI::App& command, Arguments& arguments, const std::string& ending) {
-  command.add_option("-o,--out", arguments.folder,
-                     "Output folder; default: out/<name of the scene file>" + ending);
-  command.add_flag("--overwrite", arguments.overwrite,
-                   "Remove the results in the folder first, whatever left them there");
-  add_quiet_option(command, arguments.quiet);
-}
-
-void add_spacing_option(CLI::App& command, SceneArguments& arguments) {
-  command.add_option("--spacing", arguments.spacing,
-                     "Replace the scene's particle spacing, e.g. \"0.5 m\"");
-}
-
-/// An empty value would pass for an option that was not given.
-void refuse_empty_values(CLI::App& app) {
-  const CLI::Validator not_empty(
-      [](const std::string& value) { return value.empty() ? "it is empty" : ""; }, "");
-  for (CLI::App* command : app.get_subcommands({})) {
-    for (CLI::Option* option : command->get_options()) {
-      if (option->get_items_expected_max() > 0) option->check(not_empty);
-    }
-  }
-}
-
-CLI::App* add_resume_command(CLI::App& app, ResumeArguments& resume) {
-  CLI::App* command = app.add_subcommand("resume",
-                                         "Go on with a run that was stopped or killed, from its "
-                                         "last checkpoint, or run it through more stages");
-  command->add_option("folder", resume.folder, "Output folder of the run")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-  command->add_option("--scene", resume.scene,
-                      "Scene of the run with more stages after its last; go on through them");
-  command->add_flag(
-      "--accept-tables", resume.accept_tables,
-      "Go on after the rows that are there, even if some were changed or are missing");
-  add_isa_option(*command, resume.options);
-  add_threads_option(*command, resume.options);
-  add_json_option(*command, resume.json);
-  add_quiet_option(*command, resume.quiet);
-  return command;
-}
 
 CLI::App* add_element_command(CLI::App& app, ElementArguments& element) {
   CLI::App* command = app.add_subcommand(
@@ -168,16 +83,10 @@ int run_program(int argc, char** argv) {
   CLI::App app{"Smoothed-particle hydrodynamics for slope failure and granular collapse"};
   app.set_version_flag("--version", "scarp " + scarp::program_version());
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 done, 1 error, 2 bad usage, 3 the run became unstable, 4 the run ended but "
-      "lost soil, 130 stopped by a signal.");
+  app.footer(exit_codes_text);
 
   RunArguments run;
-  CLI::App* run_app =
-      app.add_subcommand("run", "Run a scene and write frames, tables and results.json");
-  add_scene_options(*run_app, run.scene);
-  add_spacing_option(*run_app, run.scene);
-  add_folder_options(*run_app, run, "");
+  CLI::App* run_app = add_run_command(app, run);
 
   ResumeArguments resume;
   CLI::App* resume_app = add_resume_command(app, resume);

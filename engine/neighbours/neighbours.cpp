@@ -42,6 +42,13 @@ double list_reach(const State& state) {
   return (2.0 + state.scene.numerics.skin) * state.smoothing_length;
 }
 
+void mark_built(ParticleBuffers& particles) {
+  for (int a = 0; a < particles.dimension(); ++a) {
+    const double* from = particles.component(Field::position, a);
+    std::copy(from, from + particles.slots(), particles.component(Field::build_position, a));
+  }
+}
+
 std::vector<SlotRange> ranges_of(const ParticleBuffers& particles) {
   std::vector<SlotRange> ranges;
   for (const ParticleGroup& group : particles.groups())
@@ -69,10 +76,13 @@ void build_lists(State& state) {
   // soil.
   const double image_reach = state.boundary.walls.count() > 0 ? 2.0 * reach : reach;
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
-  state.boundary.images.select(state.scene, state.boundary.surface, placement,
-                               points_of(state.particles), ranges, k0, image_reach,
-                               hold_off_distance(state.particles.largest_spacing()) +
-                                   state.scene.numerics.skin * state.smoothing_length);
+  const std::vector<SlotRange> ghost_ranges = ranges_of(state.ghosts);
+  state.boundary.images.select(
+      state.scene, state.boundary.surface, placement, {points_of(state.particles), ranges, k0, 0},
+      {points_of(state.ghosts), ghost_ranges, k0, state.sweep.records.layout()[Role::ghost].first},
+      image_reach,
+      hold_off_distance(state.particles.largest_spacing()) +
+          state.scene.numerics.skin * state.smoothing_length);
   const MirrorImages& images = state.boundary.images;
   Walls& walls = state.boundary.walls;
   state.sweep.records.resize(state.ghosts.slots(), images.count());
@@ -89,7 +99,7 @@ void build_lists(State& state) {
   };
   const SlotRange all_images{0, images.count()}, dummies = walls.range();
   add(Role::owned, points_of(state.particles));
-  build_cells(Role::ghost, points_of(state.ghosts), ranges_of(state.ghosts));
+  build_cells(Role::ghost, points_of(state.ghosts), ghost_ranges);
   build_cells(Role::image, images.points(), {&all_images, 1});
   NeighbourLists::Input input;
   input.points = points_of(state.particles);
@@ -112,11 +122,6 @@ void build_lists(State& state) {
   }
   input.sources = sources;
   state.neighbours.lists.build(state.threads, *state.kernels.table, input);
-  for (int a = 0; a < dimension; ++a) {
-    const double* from = state.particles.component(Field::position, a);
-    std::copy(from, from + state.particles.slots(),
-              state.particles.component(Field::build_position, a));
-  }
   state.boundary.walls.mark_built();
   state.boundary.built_offset = state.boundary.offset;
   state.boundary.moved = 0.0;
@@ -151,6 +156,8 @@ void rebuild_lists(State& state) {
   Neighbours& neighbours = state.neighbours;
   if (!neighbours.due) return;
   if (neighbours.valid) watch_walls(state);
+  const StressForm form = state.sweep.records.stress_form();
+  deal_soil(state);
   if (neighbours.rebuilds % rebuilds_per_sort == 0) {
     const std::vector<SlotRange> ranges = ranges_of(state.particles);
     build_soil_cells(state, ranges);
@@ -158,18 +165,55 @@ void rebuild_lists(State& state) {
   }
   ++neighbours.rebuilds;
   build_lists(state);
+  mark_built(state.particles);
   neighbours.due = false;
-  pack_as(state, state.sweep.records.stress_form());
+  pack_as(state, form);
 }
 
+void fit_records(State& state) {
+  if (state.sweep.records.layout()[Role::owned].slots == state.particles.slots()) return;
+  state.sweep.records = Records(state.particles.slots(), state.boundary.walls.slots());
+}
+
+void deal_soil(State& state) {
+  state.reduction->deal(state.particles, state.ghosts);
+  state.changed = ghost_fields;
+  fit_records(state);
+}
+
+double halo_of(const Scene& scene) {
+  const double reach = (2.0 + scene.numerics.skin) * scene.numerics.smoothing_ratio * scene.spacing;
+  const bool any_dummies =
+      std::any_of(scene.walls.begin(), scene.walls.end(),
+                  [](const Wall& wall) { return wall.kind == WallKind::no_slip; });
+  // Dummies in reach of a particle take their stress from soil in reach of theirs.
+  return any_dummies ? 2.0 * reach : reach;
+}
+
+namespace {
+
+/// What the sweeps to come read of ghosts, as far as it has changed.
+void refresh_ghosts(State& state) {
+  const bool corrected = state.sweep.records.stress_form() == StressForm::corrected;
+  DataSet read{Field::position, Field::velocity, Field::density, Field::stress};
+  if (corrected) read = read | DataSet(Field::force_moment, Field::strain_rate);
+  if (!corrected && state.kernels.slots.has(kernels::record_diffusivity))
+    read = read | DataSet(Field::diffusivity);
+  state.reduction->refresh(state.particles, state.ghosts, read & state.changed);
+  state.changed = state.changed.without(read);
+}
+
+}  // namespace
+
 void pack_images(State& state) {
+  refresh_ghosts(state);
   Records& records = state.sweep.records;
   records.pack(state.threads, Role::ghost, state.ghosts, state.scaling, state.kernels.slots,
                records.stress_form());
   const MirrorImages::Mirrors mirrors{state.scaling.inverse_smoothing_length, state.boundary.offset,
                                       state.boundary.velocity, state.scene.gravity};
   if (records.stress_form() == StressForm::corrected) {
-    state.boundary.images.pack_corrected(records, mirrors, state.particles);
+    state.boundary.images.pack_corrected(records, mirrors, state.particles, state.ghosts);
   } else {
     state.boundary.images.pack(records, mirrors);
   }

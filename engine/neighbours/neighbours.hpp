@@ -10,6 +10,7 @@
 
 namespace scarp {
 
+struct Scene;
 struct State;
 
 struct Neighbours {
@@ -35,8 +36,16 @@ void rebuild_lists(State& state);
 /// Records of the ghosts, and of the mirror images from those of the soil.
 void pack_images(State& state);
 
-/// Cells, images and lists of where everything stands now.
+/// Cells, images and lists of where everything stands now; `rebuild_lists` also takes that for the
+/// place that soil moves from.
 void build_lists(State& state);
+/// Soil goes to the parts into which it has come.
+void deal_soil(State& state);
+/// Where the records and lists know of so many slots of soil as there are. Those of dummies are
+/// lost.
+void fit_records(State& state);
+/// How far from a particle lies what its sums may depend on, when lists are built [m].
+double halo_of(const Scene& scene);
 
 namespace phases {
 

@@ -110,40 +110,36 @@ void ParticleBuffers::rearrange(std::vector<ParticleGroup> groups,
   gather(ids_, ids);
 }
 
-std::int64_t ParticleBuffers::add(std::size_t group, std::span<const std::int64_t> new_ids) {
+std::vector<std::int64_t> ParticleBuffers::exchange(
+    std::span<const std::int64_t> slots, std::span<const std::vector<std::int64_t>> new_ids) {
   std::vector<ParticleGroup> groups = groups_;
-  std::vector<std::int64_t> from;
-  std::int64_t added = 0;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::int64_t first = static_cast<std::int64_t>(from.size());
-    for (std::int64_t k = groups_[g].first; k < groups_[g].end(); ++k) from.push_back(k);
-    if (g == group) {
-      added = static_cast<std::int64_t>(from.size());
-      groups[g].count += std::ssize(new_ids);
-      groups[g].capacity = std::max(groups[g].capacity, padded(groups[g].count));
-    }
-    groups[g].first = first;
-    from.resize(static_cast<std::size_t>(groups[g].padded_end()), -1);
-  }
-  rearrange(std::move(groups), from);
-  std::copy(new_ids.begin(), new_ids.end(), ids_.begin() + added);
-  return added;
-}
-
-void ParticleBuffers::remove(std::span<const std::int64_t> slots) {
-  std::vector<ParticleGroup> groups = groups_;
-  std::vector<std::int64_t> from;
+  std::vector<std::int64_t> from, added;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     ParticleGroup& group = groups[g];
     group.first = static_cast<std::int64_t>(from.size());
     for (std::int64_t k = groups_[g].first; k < groups_[g].end(); ++k) {
       if (!std::binary_search(slots.begin(), slots.end(), k)) from.push_back(k);
     }
-    group.count = static_cast<std::int64_t>(from.size()) - group.first;
-    group.capacity = padded(group.count);
+    added.push_back(static_cast<std::int64_t>(from.size()));
+    group.count = added.back() - group.first + std::ssize(new_ids[g]);
+    group.capacity =
+        slots.empty() ? std::max(group.capacity, padded(group.count)) : padded(group.count);
     from.resize(static_cast<std::size_t>(group.padded_end()), -1);
   }
   rearrange(std::move(groups), from);
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    std::copy(new_ids[g].begin(), new_ids[g].end(), ids_.begin() + added[g]);
+  return added;
+}
+
+std::int64_t ParticleBuffers::add(std::size_t group, std::span<const std::int64_t> new_ids) {
+  std::vector<std::vector<std::int64_t>> by_group(groups_.size());
+  by_group[group].assign(new_ids.begin(), new_ids.end());
+  return exchange({}, by_group)[group];
+}
+
+void ParticleBuffers::remove(std::span<const std::int64_t> slots) {
+  exchange(slots, std::vector<std::vector<std::int64_t>>(groups_.size()));
 }
 
 void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order) {

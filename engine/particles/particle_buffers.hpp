@@ -84,6 +84,11 @@ class ParticleBuffers {
   /// capacity they no longer need; a group without particles stays.
   void remove(std::span<const std::int64_t> slots);
 
+  /// Both at once: removes these slots and adds so many particles to each group, with the ids of
+  /// `new_ids` by group. Returns the slot of the first that was added to each.
+  std::vector<std::int64_t> exchange(std::span<const std::int64_t> slots,
+                                     std::span<const std::vector<std::int64_t>> new_ids);
+
   /// Moves slot order[k] to slot first + k within each group, for every field of lifetime `state`.
   void permute(int threads, std::span<const std::int32_t> order);
   /// Gives the fields that count from the present position their start; where particles are put.

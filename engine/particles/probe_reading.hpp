@@ -8,7 +8,7 @@
 namespace scarp {
 
 /// What the particle of a probe shows now. Errors: Error where it is not among these particles,
-/// which it need not be in an engine that holds a part of the soil.
+/// which it need not be where they are a part of the soil.
 ProbeSample read_probe(const Scene& scene, const ParticleBuffers& particles,
                        const ProbeParticle& probe);
 

@@ -17,9 +17,9 @@
 namespace scarp {
 namespace {
 
-/// Height of each particle's centre along gravity and its material, of all parts of the soil;
+/// Height of each particle's centre along gravity and its material, of this part of the soil;
 /// without gravity along the last axis. Lost soil counts only where all is lost.
-std::vector<std::pair<double, std::size_t>> levels(const State& state) {
+std::vector<double> own_levels(const State& state) {
   const Vec3& g = state.scene.gravity;
   const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
   const double all = state.reduction->sum_of(static_cast<double>(state.particles.count()));
@@ -37,6 +37,12 @@ std::vector<std::pair<double, std::size_t>> levels(const State& state) {
       found.insert(found.end(), {up, static_cast<double>(group.material)});
     }
   }
+  return found;
+}
+
+/// Of all parts.
+std::vector<std::pair<double, std::size_t>> levels(const State& state) {
+  std::vector<double> found = own_levels(state);
   state.reduction->gather(found);
   std::vector<std::pair<double, std::size_t>> levels(found.size() / 2);
   for (std::size_t k = 0; k < levels.size(); ++k)
@@ -102,9 +108,15 @@ void update_walls(State& state, const std::string& stage) {
 }  // namespace
 
 double soil_height(const State& state) {
-  const auto all = levels(state);
-  const auto [low, high] = std::minmax_element(all.begin(), all.end());
-  return high->first - low->first + state.particles.largest_spacing();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low = infinity, high = -infinity;
+  const std::vector<double> own = own_levels(state);
+  for (std::size_t k = 0; k < own.size(); k += 2) {
+    low = std::min(low, own[k]);
+    high = std::max(high, own[k]);
+  }
+  low = state.reduction->minimum_of(low);
+  return state.reduction->maximum_of(high) - low + state.particles.largest_spacing();
 }
 
 double fastest_soil(const State& state) {

@@ -31,6 +31,16 @@ class DataSet {
     sum.bits_ = bits_ | other.bits_;
     return sum;
   }
+  constexpr DataSet operator&(DataSet other) const {
+    DataSet common;
+    common.bits_ = bits_ & other.bits_;
+    return common;
+  }
+  constexpr DataSet without(DataSet other) const {
+    DataSet rest;
+    rest.bits_ = bits_ & ~other.bits_;
+    return rest;
+  }
 
  private:
   static constexpr int field_count = static_cast<int>(Field::count);
@@ -59,6 +69,9 @@ constexpr DataSet fields_where(Is is) {
 /// What a sort carries along.
 inline constexpr DataSet state_fields =
     fields_where([](const FieldRow& field) { return field.lifetime == Lifetime::state; });
+/// What a neighbour reads of a particle.
+inline constexpr DataSet ghost_fields =
+    fields_where([](const FieldRow& field) { return field.ghost == Ghost::ghost; });
 
 /// `reads` is what has to be current before the phase: of an engine that holds a part of the soil
 /// on ghosts too, where the field table says that a neighbour reads the field. `writes` is all that

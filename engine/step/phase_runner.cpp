@@ -31,6 +31,7 @@ void PhaseRunner::call_hooks(State& state, const Phase& phase, When when) const 
     if (hook.when != when || hook.phase != phase.name) continue;
     HookMeter meter(state, 1.0 / times_in_a_step(hook.phase));
     PhaseView view(state, phase, when, meter);
+    state.changed = state.changed | phase.reads | phase.writes;
     hook.call(view);
     meter.enter();
   }
@@ -43,6 +44,8 @@ double PhaseRunner::run(State& state, PhaseList list, std::vector<double>& secon
   Clock::time_point before = began;
   for (std::size_t k = 0; k < list.size(); ++k) {
     call_hooks(state, list[k], When::before);
+    // Lists are built of soil that has been dealt, with ghosts of its own.
+    if (!list[k].writes.has(Part::lists)) state.changed = state.changed | list[k].writes;
     list[k].run(state);
     call_hooks(state, list[k], When::after);
     const Clock::time_point after = Clock::now();
@@ -62,6 +65,7 @@ void PhaseRunner::step(State& state) {
 
 void PhaseRunner::renew(State& state) const {
   state.clock.restart = true;
+  state.changed = ghost_fields;
   if (!state.stage.started) return;  // the start of the stage does it
   state.stage.start_speed = std::max(state.stage.start_speed, fastest_soil(state));
   std::vector<double> seconds(phases_.renewal.size());

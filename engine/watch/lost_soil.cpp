@@ -55,7 +55,9 @@ class LostSearch {
     const Slots loose =
         falls ? select([this](std::int64_t k, auto& search) { return falls_free(k, search); })
               : select([this](std::int64_t k, auto& search) { return is_outside(k, search); });
-    return falls && !loose.empty() ? over_nothing(loose) : loose;
+    const bool any =
+        state_.reduction->maximum_of(static_cast<double>(loose.size())) > 0.0;  // in any part
+    return falls && any ? over_nothing(loose) : loose;
   }
 
  private:
@@ -183,13 +185,26 @@ class LostSearch {
   Slots over_nothing(const Slots& loose) const {
     const Across across(state_.scene, reach_);
     std::unordered_map<Across::Column, double, Across::Hash> deepest;
+    const auto take = [&deepest](const Across::Column& column, double depth) {
+      const auto [entry, fresh] = deepest.emplace(column, depth);
+      if (!fresh) entry->second = std::max(entry->second, depth);
+    };
     const Slots held = select([&loose](std::int64_t k, auto&) {
       return !std::binary_search(loose.begin(), loose.end(), k);
     });
     for (const std::int64_t k : held) {
       const Vec3 x = vector(Field::position, k);
-      const auto [entry, fresh] = deepest.emplace(across.column(x), across.depth(x));
-      if (!fresh) entry->second = std::max(entry->second, across.depth(x));
+      take(across.column(x), across.depth(x));
+    }
+    std::vector<double> of_all;
+    for (const auto& [column, depth] : deepest) {
+      of_all.insert(of_all.end(),
+                    {static_cast<double>(column[0]), static_cast<double>(column[1]), depth});
+    }
+    state_.reduction->gather(of_all);
+    for (std::size_t k = 0; k < of_all.size(); k += 3) {
+      take({static_cast<std::int64_t>(of_all[k]), static_cast<std::int64_t>(of_all[k + 1])},
+           of_all[k + 2]);
     }
     Slots lost;
     std::copy_if(loose.begin(), loose.end(), std::back_inserter(lost), [&](std::int64_t k) {
@@ -245,7 +260,10 @@ void count_lost_soil(State& state) {
     state.reduction->sum_each(position);
     lost.position = position[0];
   }
-  for (const std::int64_t slot : found) state.lost_ids.push_back(id_of(slot));
+  std::vector<double> found_ids;  // all parts know them: soil goes from one to the other
+  for (const std::int64_t slot : found) found_ids.push_back(static_cast<double>(id_of(slot)));
+  state.reduction->gather(found_ids);
+  for (const double id : found_ids) state.lost_ids.push_back(static_cast<std::int64_t>(id));
   std::sort(state.lost_ids.begin(), state.lost_ids.end());
   lost.mass += mass;
   lost.particles += static_cast<std::uint64_t>(count);

@@ -18,7 +18,9 @@ THIRD_PARTY = {
     "OpenMP": (r"omp\.h", ("engine/parallel.",)),
     "Eigen": (r"Eigen/", ("engine/", "validation/", "tests/")),
     "toml++": (r"toml(\+\+|plusplus)?[/.]", ("engine/scene/", "engine/cli/", "validation/", "tests/")),
-    "CLI11": (r"CLI/", ("engine/cli/", "validation/", "bench/")),
+    "CLI11": (r"CLI/", ("engine/cli/", "engine/distributed/", "validation/", "bench/")),
+    "MPI": (r"mpi\.h", ("engine/distributed/",)),
+    "LAMMPS": (r"(atom|comm|domain|fix|lammps|library|modify)\.h", ("engine/distributed/",)),
     "nlohmann-json": (r"nlohmann/", ("engine/", "validation/", "bench/", "tests/")),
     "muParser": (r"muParser", ("engine/", "tests/")),
     "pybind11": (r"pybind11/", ("engine/python/",)),
@@ -128,7 +130,7 @@ FLOORS = (
     ("cli/", "scarp."),
     ("python/",),
 )
-FRONT_ENDS = ("engine/cli/", "engine/python/")
+FRONT_ENDS = ("engine/cli/", "engine/distributed/", "engine/python/")
 FACADE = FLOORS.index(("simulation.",))
 NO_PHASES = {"scene/", "particles/", "cells/"}  # their sources know no state either
 

@@ -15,10 +15,10 @@ namespace scarp::test {
 namespace {
 
 /// A free block, part of it in tension, every particle with a velocity and a stress of its own.
-Scene block(const char* preset_name) {
+Scene block(const char* preset_name, bool between_smooth_walls = false) {
   Scene scene = elastic_column(preset_name, 1.5, 0.1);
   scene.materials = {clay()};
-  scene.walls.clear();
+  if (!between_smooth_walls) scene.walls.clear();
   scene.bodies.clear();
   scene.stages = {stage_for("rest", 1.0)};
   scene.initial_stress = InitialStress::zero;
@@ -115,8 +115,8 @@ std::map<std::int64_t, std::vector<double>> rates(State& state, const State* who
 }
 
 void expect_split_sums(const char* preset_name, Precision precision, double rounding,
-                       bool force_correction = false) {
-  Scene scene = block(preset_name);
+                       bool force_correction = false, bool between_smooth_walls = false) {
+  Scene scene = block(preset_name, between_smooth_walls);
   scene.numerics.force_correction = force_correction;
   scene.numerics.precision = precision;
   const Particles all = block_particles(preset_name);
@@ -160,6 +160,13 @@ TEST(GhostsTest, AreNeighboursLikeTheSoilTheyStandFor) {
   // T is made of moments that are sums themselves: twice the roundings.
   expect_split_sums("modern", Precision::real64, 0x1p-49, true);
   expect_split_sums("paper", Precision::mixed, 8.0 * 0x1p-24);
+}
+
+TEST(GhostsTest, HaveImagesLikeTheSoilTheyStandFor) {
+  expect_split_sums("modern", Precision::real64, 0x1p-50, false, true);
+  expect_split_sums("paper", Precision::real64, 0x1p-50, false, true);
+  // The moments of ghosts come after their images were chosen.
+  expect_split_sums("modern", Precision::real64, 0x1p-49, true, true);
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ FLOORS = (
     ("run/",),
     ("check/", "fos/"),
     ("cli/", "scarp."),
-    ("python/",),
+    ("distributed/", "python/"),
 )
 FRONT_ENDS = ("engine/cli/", "engine/distributed/", "engine/python/")
 FACADE = FLOORS.index(("simulation.",))

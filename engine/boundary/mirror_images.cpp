@@ -78,7 +78,8 @@ void MirrorImages::ask_faces(const Scene& scene, const WallSurface& surface,
                              const WallPlacement& walls, const Vec3& point, const Source& source,
                              std::int64_t after, double reach) {
   // An image may be beyond an edge by the reach, and behind the face by as much.
-  for (const std::uint32_t face : surface.near(point, std::sqrt(2.0) * reach, walls, search_)) {
+  const double widest = std::sqrt(2.0) * (reach + source.more);
+  for (const std::uint32_t face : surface.near(point, widest, walls, search_)) {
     const bool smooth = scene.walls[surface.wall_of(face)].kind == WallKind::free_slip;
     if (smooth && static_cast<std::int64_t>(face) > after) asked_[face].push_back(source);
   }
@@ -86,7 +87,7 @@ void MirrorImages::ask_faces(const Scene& scene, const WallSurface& surface,
 
 void MirrorImages::select(const Scene& scene, const WallSurface& surface,
                           const WallPlacement& walls, const Soil& own, const Soil& ghosts,
-                          double reach, double close) {
+                          double reach, double close, const FastGrains& fast) {
   images_.clear();
   close_.clear();
   for (auto& axis : position_) axis.clear();
@@ -105,7 +106,9 @@ void MirrorImages::select(const Scene& scene, const WallSurface& surface,
     for (std::size_t r = 0; r < soil->ranges.size(); ++r) {
       for (std::int64_t k = soil->ranges[r].begin; k < soil->ranges[r].end; ++k) {
         const std::int64_t record = soil->first_record + k;
-        ask_faces(scene, surface, walls, soil_point(record), {record, soil->k0[r]}, -1, reach);
+        const double more = soil == &own && fast.among(k, 1) ? fast.more : 0.0;
+        ask_faces(scene, surface, walls, soil_point(record), {record, soil->k0[r], more}, -1,
+                  reach);
       }
     }
   }
@@ -123,23 +126,33 @@ void MirrorImages::select(const Scene& scene, const WallSurface& surface,
       for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - walls.offset[w][a];
       const double distance = dot(from, facet.normal);
       // Soil that has come a little behind the face keeps its image, which pushes it back.
-      if (distance > reach || distance < -0.125 * reach ||
-          !in_footprint(facet, from, is_image ? reach : 0.0))
-        continue;
-      if (!is_image && source.record < own_end && distance <= close) {
+      if (distance > reach + source.more || distance < -0.125 * reach) continue;
+      const bool is_own = !is_image && source.record < own_end;
+      if (is_own && distance <= close + source.more && in_footprint(facet, from, source.more)) {
         close_.resize(static_cast<std::size_t>(own_end), 0);
         close_[static_cast<std::size_t>(source.record)] = 1;
       }
+      if (!in_footprint(facet, from, is_image ? reach + source.more : 0.0)) continue;
       const std::int64_t made = count();
-      images_.push_back({source.record, w, facet.normal, facet.origin, source.lateral});
+      images_.push_back(
+          {source.record, w, facet.normal, facet.origin, source.lateral, source.more});
       Vec3 place;
       for (std::size_t a = 0; a < 3; ++a) {
         place[a] = x[a] - 2.0 * distance * facet.normal[a];
         position_[a].push_back(place[a]);
       }
-      ask_faces(scene, surface, walls, place, {-1 - made, source.lateral}, first.key(), reach);
+      ask_faces(scene, surface, walls, place, {-1 - made, source.lateral, source.more}, first.key(),
+                reach);
     }
   }
+}
+
+std::vector<std::int64_t> MirrorImages::fast() const {
+  std::vector<std::int64_t> found;
+  for (std::int64_t k = 0; k < count(); ++k) {
+    if (images_[static_cast<std::size_t>(k)].more > 0.0) found.push_back(k);
+  }
+  return found;
 }
 
 bool MirrorImages::is_close(std::int64_t slot, std::int64_t count) const {

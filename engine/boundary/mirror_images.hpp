@@ -9,6 +9,7 @@
 
 #include "engine/boundary/wall_surface.hpp"
 #include "engine/cells/cell_grid.hpp"
+#include "engine/neighbours/fast_grains.hpp"
 #include "engine/particles/aligned_vector.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/sweep/records.hpp"
@@ -31,14 +32,17 @@ class MirrorImages {
   };
   /// Soil within `reach` in front of a standing free-slip facet and inside its footprint, then the
   /// images of images across the facets that follow. Own soil, whose records come first, is kept in
-  /// mind if it is within `close` of such a facet.
+  /// mind if it is within `close` of such a facet. Both lengths are longer for `fast` grains.
   void select(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,
-              const Soil& own, const Soil& ghosts, double reach, double close);
+              const Soil& own, const Soil& ghosts, double reach, double close,
+              const FastGrains& fast);
 
   std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
   PointSpan points() const {
     return {position_[0].data(), position_[1].data(), position_[2].data()};
   }
+  /// Those of fast grains, ascending.
+  std::vector<std::int64_t> fast() const;
   std::size_t wall_of(std::int64_t image) const {
     return images_[static_cast<std::size_t>(image)].wall;
   }
@@ -72,11 +76,13 @@ class MirrorImages {
     Vec3 normal;
     Vec3 origin;     ///< a point of the facet before its wall moved
     double lateral;  ///< K0 of the soil it is an image of
+    double more;     ///< how much wider it reaches than others [m]
   };
   /// What may have an image: a record of soil, or -1 - image.
   struct Source {
     std::int64_t record;
     double lateral;
+    double more;
   };
   void ask_faces(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,
                  const Vec3& point, const Source& source, std::int64_t after, double reach);

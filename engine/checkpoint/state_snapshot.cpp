@@ -154,6 +154,33 @@ void put_lost(const Snapshot& from, State& state) {
   lost.stage = from.text("lost/stage");
 }
 
+/// The lists reach further around fast grains, which were chosen when they were built.
+void take_fast_grains(Snapshot& out, const State& state) {
+  const FastGrains& fast = state.neighbours.fast;
+  std::vector<std::int64_t> ids;
+  for (const std::int64_t slot : fast.slots)
+    ids.push_back(state.particles.ids()[static_cast<std::size_t>(slot)]);
+  out.add("lists/fast_ids", std::move(ids));
+  out.add("lists/fast_reach_more", "m", {fast.more});
+}
+
+void put_fast_grains(const Snapshot& from, State& state) {
+  std::vector<std::int64_t> ids = from.integers("lists/fast_ids");
+  std::sort(ids.begin(), ids.end());
+  FastGrains& fast = state.neighbours.fast;
+  fast = {};
+  for (const ParticleGroup& group : state.particles.groups()) {
+    for (std::int64_t k = group.first; k < group.end(); ++k) {
+      if (std::binary_search(ids.begin(), ids.end(),
+                             state.particles.ids()[static_cast<std::size_t>(k)]))
+        fast.slots.push_back(k);
+    }
+  }
+  if (fast.slots.size() != ids.size())
+    throw CheckpointError("'lists/fast_ids' names particles that the soil does not have.");
+  fast.more = finite_numbers(from, "lists/fast_reach_more", 1).front();
+}
+
 void swap_places(ParticleBuffers& p) {
   for (int a = 0; a < p.dimension(); ++a) {
     double* const position = p.component(Field::position, a);
@@ -195,6 +222,7 @@ Snapshot take_snapshot(const State& state) {
     take_dummies(out, "walls/built_position", state.boundary.walls, true);
   }
   take_lost(out, state);
+  take_fast_grains(out, state);
   take_fields(out, state);
   return out;
 }
@@ -214,6 +242,7 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   put_walls(snapshot, state);
   put_ids(snapshot, state);
   put_lost(snapshot, state);
+  put_fast_grains(snapshot, state);
   put_scalars(snapshot, state);
   const bool lists_valid = state.neighbours.valid;
   const double walls_moved = state.boundary.moved;

@@ -19,6 +19,12 @@ using kernels::entry_block;
 /// Particles that share one gathering of candidates.
 constexpr std::int64_t supercluster = 32;
 
+/// Of members begin .. end of `input` to what is not fast.
+double reach_of(const NeighbourLists::Input& input, std::int64_t begin, std::int64_t end) {
+  const auto first = std::lower_bound(input.fast.begin(), input.fast.end(), begin);
+  return first != input.fast.end() && *first < end ? input.reach + input.more : input.reach;
+}
+
 /// Candidates around one supercluster, gathered once for all its clusters.
 struct Candidates {
   std::vector<std::int32_t> slots;
@@ -28,12 +34,24 @@ struct Candidates {
   void gather(const ParticleSource& source, const NeighbourLists::Input& input, std::int64_t begin,
               std::int64_t end) {
     slots.clear();
-    const CellBox box = reached(*source.grid, input, begin, end);
+    const double reach = reach_of(input, begin, end);
+    const CellBox box = reached(*source.grid, input, begin, end, reach);
     if (box.count() <= static_cast<double>(std::max(source.grid->occupied(), few_cells))) {
       source.grid->collect(box, slots);
     } else {
-      collect_around_each(*source.grid, input, begin, end);
+      collect_around_each(*source.grid, input, begin, end, reach);
     }
+    take_points(source);
+  }
+
+  /// The fast points of `source`, wherever they are.
+  void gather_fast(const ParticleSource& source) {
+    slots.assign(source.fast.begin(), source.fast.end());
+    if (!slots.empty()) take_points(source);
+  }
+
+ private:
+  void take_points(const ParticleSource& source) {
     put_pages_together(source.first_record);
     const std::size_t count = slots.size();
     x.assign(count + entry_block, 1e150);
@@ -47,18 +65,17 @@ struct Candidates {
     }
   }
 
- private:
   /// A box of so many cells is looked through whatever is in it.
   static constexpr std::size_t few_cells = 4096;
 
   static CellBox reached(const CellGrid& grid, const NeighbourLists::Input& input,
-                         std::int64_t begin, std::int64_t end) {
+                         std::int64_t begin, std::int64_t end, double reach) {
     const double* axes[3] = {input.points.x, input.points.y, input.points.z};
     std::array<double, 3> low{}, high{};
     for (std::size_t a = 0; a < static_cast<std::size_t>(input.dimension); ++a) {
       const auto [least, most] = std::minmax_element(axes[a] + begin, axes[a] + end);
-      low[a] = *least - input.reach;
-      high[a] = *most + input.reach;
+      low[a] = *least - reach;
+      high[a] = *most + reach;
     }
     return grid.box_of(low, high);
   }
@@ -66,10 +83,10 @@ struct Candidates {
   /// Members that lie far apart would have a box of mostly empty cells between them: the cells
   /// around each are as many as are needed, in the order in which the box would give them.
   void collect_around_each(const CellGrid& grid, const NeighbourLists::Input& input,
-                           std::int64_t begin, std::int64_t end) {
+                           std::int64_t begin, std::int64_t end, double reach) {
     cells_.clear();
     for (std::int64_t k = begin; k < end; ++k) {
-      const CellBox box = reached(grid, input, k, k + 1);
+      const CellBox box = reached(grid, input, k, k + 1, reach);
       CellIndex at{};
       for (at[2] = box.low[2]; at[2] <= box.high[2]; ++at[2]) {
         for (at[1] = box.low[1]; at[1] <= box.high[1]; ++at[1]) {
@@ -127,7 +144,13 @@ class ChunkBuilder {
  public:
   ChunkBuilder(const kernels::KernelTable& kernels, const NeighbourLists::Input& input,
                ChunkLists& out)
-      : kernels_(kernels), input_(input), out_(out), candidates_(input.sources.size()) {}
+      : kernels_(kernels),
+        input_(input),
+        out_(out),
+        candidates_(input.sources.size()),
+        fast_(input.sources.size()) {
+    for (std::size_t s = 0; s < fast_.size(); ++s) fast_[s].gather_fast(input.sources[s]);
+  }
 
   void add_supercluster(std::int64_t begin, std::int64_t padded_end) {
     std::int64_t valid_end = begin;
@@ -158,8 +181,7 @@ class ChunkBuilder {
   /// the list takes.
   std::int64_t add_list(std::int64_t first, int members, bool dummies) {
     for (std::size_t s = 0; s < candidates_.size(); ++s) {
-      if ((input_.sources[s].role == Role::dummy) == dummies)
-        add(candidates_[s], input_.sources[s], first, members);
+      if ((input_.sources[s].role == Role::dummy) == dummies) add(s, first, members);
     }
     const std::int64_t before = written_;
     out_.blocks.end_list();
@@ -167,11 +189,29 @@ class ChunkBuilder {
     return written_ - before;
   }
 
-  void add(const Candidates& candidates, const ParticleSource& source, std::int64_t first,
-           int members) {
+  /// Those of a source that a cluster reaches; fast ones it reaches from further away.
+  void add(std::size_t s, std::int64_t first, int members) {
+    const double reach = reach_of(input_, first, first + members);
+    filter(candidates_[s], first, members, reach, found_);
+    for (const std::int32_t slot : found_) add_record(s, slot);
+    if (fast_[s].slots.empty()) return;
+    filter(fast_[s], first, members, reach + input_.more, found_);
+    if (found_.empty()) return;
+    filter(fast_[s], first, members, reach, near_);
+    for (const std::int32_t slot : found_) {
+      if (std::find(near_.begin(), near_.end(), slot) == near_.end()) add_record(s, slot);
+    }
+  }
+
+  void add_record(std::size_t s, std::int32_t slot) {
+    out_.blocks.add(static_cast<std::int32_t>(input_.sources[s].first_record + slot));
+  }
+
+  /// Slots of the candidates within `reach` of a member.
+  void filter(const Candidates& candidates, std::int64_t first, int members, double reach,
+              std::vector<std::int32_t>& found) {
     const std::size_t count = candidates.slots.size();
-    if (count == 0) return;
-    found_.resize(count + entry_block);
+    found.resize(count + entry_block);
     const kernels::CandidateView view{
         candidates.x.data(),
         candidates.y.data(),
@@ -181,20 +221,17 @@ class ChunkBuilder {
         input_.points.y + first,
         input_.points.z != nullptr ? input_.points.z + first : zeros_.data(),
         members,
-        input_.reach * input_.reach};
-    const int kept = kernels_.filter_candidates(view, found_.data());
-    for (int k = 0; k < kept; ++k) {
-      const std::int32_t slot =
-          candidates.slots[static_cast<std::size_t>(found_[static_cast<std::size_t>(k)])];
-      out_.blocks.add(static_cast<std::int32_t>(source.first_record + slot));
-    }
+        reach * reach};
+    const int kept = count == 0 ? 0 : kernels_.filter_candidates(view, found.data());
+    found.resize(static_cast<std::size_t>(kept));
+    for (std::int32_t& k : found) k = candidates.slots[static_cast<std::size_t>(k)];
   }
 
   const kernels::KernelTable& kernels_;
   const NeighbourLists::Input& input_;
   ChunkLists& out_;
-  std::vector<Candidates> candidates_;  ///< by source
-  std::vector<std::int32_t> found_;
+  std::vector<Candidates> candidates_, fast_;  ///< by source
+  std::vector<std::int32_t> found_, near_;
   std::int64_t written_ = 0;
   std::array<double, 16> zeros_{};
 };

@@ -22,6 +22,7 @@ struct ParticleSource {
   const CellGrid* grid = nullptr;
   PointSpan points;
   std::int64_t first_record = 0;
+  std::vector<std::int64_t> fast = {};  ///< slots whose reach is wider, ascending
 };
 
 /// Lists of `ranges` of points (clusters never cross a range): all but the dummies in the order of
@@ -35,7 +36,9 @@ class NeighbourLists {
     std::int64_t slots = 0;  ///< with padding
     std::span<const ParticleSource> sources;
     std::int64_t far_record = 0;
-    double reach = 0.0;  ///< support plus skin [m]
+    double reach = 0.0;                       ///< support plus skin [m]
+    std::span<const std::int64_t> fast = {};  ///< slots of the points whose reach is wider
+    double more = 0.0;                        ///< by this [m]
     int dimension = 3;
     int cluster_size = 1;  ///< particles per list
   };

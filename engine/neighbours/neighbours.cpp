@@ -82,14 +82,18 @@ void build_lists(State& state) {
       {points_of(state.ghosts), ghost_ranges, k0, state.sweep.records.layout()[Role::ghost].first},
       image_reach,
       hold_off_distance(state.particles.largest_spacing()) +
-          state.scene.numerics.skin * state.smoothing_length);
+          state.scene.numerics.skin * state.smoothing_length,
+      state.neighbours.fast);
   const MirrorImages& images = state.boundary.images;
   Walls& walls = state.boundary.walls;
   state.sweep.records.resize(state.ghosts.slots(), images.count());
   std::vector<ParticleSource> sources;
+  const FastGrains& fast = state.neighbours.fast;
   const auto add = [&](Role role, const PointSpan& points) {
     sources.push_back(
         {role, &state.neighbours.cells[role], points, state.sweep.records.layout()[role].first});
+    if (role == Role::owned) sources.back().fast = fast.slots;
+    if (role == Role::image) sources.back().fast = images.fast();
   };
   const auto build_cells = [&](Role role, const PointSpan& points,
                                std::span<const SlotRange> ranges_there) {
@@ -107,6 +111,8 @@ void build_lists(State& state) {
   input.slots = state.particles.slots();
   input.far_record = state.sweep.records.layout().far_record();
   input.reach = reach;
+  input.fast = fast.slots;
+  input.more = fast.more;
   input.dimension = dimension;
   input.cluster_size = state.kernels.cluster_size;
   if (walls.count() > 0) {
@@ -115,6 +121,7 @@ void build_lists(State& state) {
     of_walls.sources = sources;
     of_walls.points = walls.points();
     of_walls.ranges = {&dummies, 1};
+    of_walls.fast = {};
     of_walls.slots = walls.slots();
     of_walls.cluster_size = state.kernels.table->cluster_size;
     state.neighbours.wall_lists.build(state.threads, *state.kernels.table, of_walls);
@@ -147,7 +154,8 @@ bool lists_are_outdated(const State& state) {
   const double moved = state.reduction->maximum_of(neighbours.moved);
   // Two particles, or a particle and a wall, may close the skin from both sides.
   const double skin = state.scene.numerics.skin * state.smoothing_length;
-  return !neighbours.valid || moved + std::max(moved, state.boundary.moved) > skin;
+  const bool closed = moved + std::max(moved, state.boundary.moved) > skin;
+  return !neighbours.valid || (closed && (neighbours.fast.slots.empty() || margins_used_up(state)));
 }
 
 void decide_rebuild(State& state) { state.neighbours.due = lists_are_outdated(state); }
@@ -164,6 +172,7 @@ void rebuild_lists(State& state) {
     sort_particles(state, ranges);
   }
   ++neighbours.rebuilds;
+  neighbours.fast = fast_grains(state);
   build_lists(state);
   mark_built(state.particles);
   neighbours.due = false;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/cells/cell_grid.hpp"
+#include "engine/neighbours/fast_grains.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
 #include "engine/step/phase.hpp"
 
@@ -16,6 +17,7 @@ struct State;
 struct Neighbours {
   ByRole<CellGrid> cells;
   NeighbourLists lists, wall_lists;
+  FastGrains fast;             ///< to which the lists reach further
   bool valid = false;          ///< the lists are of the soil and the walls that stand
   bool due = false;            ///< ... and have to be built anew in this step
   double moved = 0.0;          ///< farthest that soil has moved since they were built [m]

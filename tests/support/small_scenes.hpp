@@ -82,6 +82,23 @@ inline Scene small_slope(const std::string& preset_name, double settle, double f
   return scene;
 }
 
+/// A bed of sand on a rough base, between a smooth wall on the left and a rough one on the right,
+/// and a grain that falls on it and against the left wall at many times the speed of all others.
+inline Scene bed_and_grain(const std::string& preset_name) {
+  Scene scene;
+  scene.spacing = 0.1;
+  scene.numerics = preset(preset_name);
+  scene.materials = {{"sand", DruckerPrager{2e6, 0.3, 0.0, 0.52, 0.0, Cone::plane_strain}, 2000.0}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {5, 0.8, 0}}},
+                  {.shape = Box{{0.8, 1.3, 0}, {0.9, 1.4, 0}}, .velocity = {-10.0, -8.0, 0.0}}};
+  scene.walls = {wall_of("base", WallKind::no_slip, {facet_2d(0, 0, 5, 0)}),
+                 wall_of("left", WallKind::free_slip, {facet_2d(0, 9, 0, 0)}),
+                 wall_of("right", WallKind::no_slip, {facet_2d(5, 0, 5, 9)})};
+  scene.initial_stress = InitialStress::geostatic;
+  scene.stages = {stage_for("fall", 10.0)};
+  return scene;
+}
+
 /// A block of sand behind a gate that is removed, on a rough base, 3D.
 inline Scene small_collapse(const std::string& preset_name, double spacing, double duration) {
   Scene scene;

@@ -209,7 +209,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     const SlotRange range{0, count};
     MirrorImages images;
     images.select(corner.scene, surface, {stands, offset}, {points, {&range, 1}, {&k0, 1}, 0}, {},
-                  reach, 0.1);
+                  reach, 0.1, {});
     ASSERT_EQ(images.count(), static_cast<std::int64_t>(wanted.size()));
     const RecordScaling scaling{1.0 / smoothing_length, 1.0, {1e7}};
     Records records(soil.slots(), 0);

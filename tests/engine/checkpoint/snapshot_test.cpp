@@ -92,6 +92,12 @@ std::vector<Case> cases() {
     all.push_back({"gate_" + preset, [=] { return moving_then_removed(preset); }});
     all.push_back({"verlet_" + preset, [=] { return thrown(preset, Integrator::verlet); }});
     all.push_back({"kick_" + preset, [=] { return thrown(preset, Integrator::kick_drift_kick); }});
+    all.push_back({"flying_" + preset, [=] {
+                     Scene scene = test::bed_and_grain(preset);
+                     scene.numerics.skin = 0.05;
+                     scene.stages = {test::stage_for("fall", 0.02), test::stage_for("lie", 10.0)};
+                     return scene;
+                   }});
     all.push_back({"mixed_" + preset, [=] {
                      Scene scene = collapse(preset);
                      scene.numerics.precision = Precision::mixed;

@@ -117,6 +117,59 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
   }
 }
 
+TEST_P(NeighbourListsTest, ReachFurtherAroundFastPoints) {
+  const auto [first_soil, first_wall] = GetParam();
+  const Points soil = random_points(777, 5), walls = random_points(300, 6);
+  CellGrid soil_grid, wall_grid;
+  const SlotRange soil_range{0, 777}, wall_range{0, 300};
+  const double reach = 0.4, more = 0.5;
+  const std::vector<std::int64_t> fast{0, 401, 402, 776};
+  soil_grid.build(1, soil.span(), {&soil_range, 1}, 0.5 * reach);
+  wall_grid.build(1, walls.span(), {&wall_range, 1}, 0.5 * reach);
+  const kernels::KernelTable& table = kernels::kernels_of(kernels::available_isas().back());
+  const ParticleSource sources[] = {{Role::owned, &soil_grid, soil.span(), first_soil, fast},
+                                    {Role::dummy, &wall_grid, walls.span(), first_wall}};
+  NeighbourLists::Input input;
+  input.points = soil.span();
+  input.ranges = {&soil_range, 1};
+  input.slots = 784;
+  input.sources = sources;
+  input.far_record = 3 * kernels::page_size;
+  input.reach = reach;
+  input.fast = fast;
+  input.more = more;
+  input.cluster_size = table.cluster_size;
+  NeighbourLists lists;
+  lists.build(2, table, input);
+  const kernels::NeighbourView view = lists.view();
+  const auto more_of = [&](std::int64_t k) {
+    return std::binary_search(fast.begin(), fast.end(), k) ? more : 0.0;
+  };
+  for (std::int64_t i = 0; i < 777; ++i) {
+    const std::int64_t cluster = i / table.cluster_size;
+    const auto a = static_cast<std::size_t>(i);
+    const auto expect_listed = [&](const Points& others, std::int32_t count, std::int32_t first,
+                                   bool dummies) {
+      const std::multiset<std::int32_t> listed =
+          dummies ? records_in(view, view.wall_begin[cluster], view.soil_begin[cluster + 1])
+                  : records_in(view, view.soil_begin[cluster], view.wall_begin[cluster]);
+      for (std::int32_t j = 0; j < count; ++j) {
+        const auto b = static_cast<std::size_t>(j);
+        const double d =
+            std::hypot(soil.x[a] - others.x[b], soil.y[a] - others.y[b], soil.z[a] - others.z[b]);
+        const double wanted = reach + more_of(i) + (dummies ? 0.0 : more_of(j));
+        if (d <= wanted) {
+          EXPECT_EQ(listed.count(first + j), 1u) << i << " " << j;
+        } else {
+          EXPECT_LE(listed.count(first + j), 1u) << i << " " << j;
+        }
+      }
+    };
+    expect_listed(soil, 777, first_soil, false);
+    expect_listed(walls, 300, first_wall, true);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(WithinAPageAndAcross, NeighbourListsTest,
                          testing::Values(std::pair{0, 784}, std::pair{2 * kernels::page_size - 400,
                                                                       kernels::page_size - 150}));

@@ -10,9 +10,9 @@
 #include "engine/checkpoint/scene_text.hpp"
 #include "engine/cli/commands.hpp"
 #include "engine/cli/drive.hpp"
+#include "engine/cli/resumed_run.hpp"
 #include "engine/cli/run_record.hpp"
 #include "engine/errors.hpp"
-#include "engine/output/checkpoint_file.hpp"
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/results.hpp"
 #include "engine/plain_text.hpp"
@@ -23,56 +23,6 @@ namespace scarp::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Resumed {
-  Simulation simulation;
-  RunWriter writer;
-  Recovery recovery;
-};
-
-/// What a run goes on with.
-struct Run {
-  fs::path folder;
-  Scene scene;
-  RunOptions options;
-  OldTables tables = OldTables::as_recorded;
-};
-
-Resumed go_on_from(const fs::path& checkpoint, const Run& run) {
-  const Snapshot snapshot = read_checkpoint(checkpoint);
-  Simulation simulation(run.scene, snapshot, run.options);
-  RunWriter writer(simulation, run.folder, snapshot, run.tables);
-  Recovery recovery(simulation, writer, snapshot);
-  return {std::move(simulation), std::move(writer), std::move(recovery)};
-}
-
-/// From the newest checkpoint that can be used; those that cannot are removed, since later ones
-/// would count as older. Nothing if there is none at all. Errors: CheckpointError if none is good.
-std::optional<Resumed> go_on(const Run& run) {
-  const std::vector<fs::path> checkpoints = checkpoints_in(run.folder);
-  std::error_code stays;  // such as a folder with something in it
-  for (std::size_t k = 0; k < checkpoints.size(); ++k) {
-    try {
-      Resumed resumed = go_on_from(checkpoints[k], run);
-      for (std::size_t bad = 0; bad < k; ++bad) fs::remove(checkpoints[bad], stays);
-      return resumed;
-    } catch (const CheckpointError& error) {
-      fmt::print(stderr, "warning: {}: {}\n", checkpoints[k].filename().string(), error.what());
-    }
-  }
-  if (checkpoints.empty()) return {};
-  throw CheckpointError(fmt::format(
-      "'{}': no checkpoint can be used; the warnings say why. To start over: scarp run {} -o {} "
-      "--overwrite",
-      run.folder.string(), run.scene.file, run.folder.string()));
-}
-
-Resumed start_over(const Run& run) {
-  Simulation simulation(run.scene, run.options);
-  RunWriter writer(simulation, run.folder);
-  Recovery recovery(simulation, writer);
-  return {std::move(simulation), std::move(writer), std::move(recovery)};
-}
 
 /// The run has its scene from the record; who has edited a file may believe otherwise.
 void say_what_has_changed(const RunRecord& record, const Scene& scene, const fs::path& folder) {
@@ -128,7 +78,7 @@ void warn_of_another_program(const RunRecord& record) {
              record.program, program_version());
 }
 
-void say_where(const Resumed& resumed, const fs::path& folder, bool over) {
+void say_where(const ResumedRun& resumed, const fs::path& folder, bool over) {
   const StepReport& last = resumed.simulation.last_step();
   fmt::print(stderr, "{}: {} at step {}, {:.4g} s, {}, {} threads\n", plain_text(folder.string()),
              over ? "no checkpoint, starts over" : "goes on", last.step, last.time,
@@ -149,7 +99,7 @@ std::optional<int> threads_of(const RunRecord& record) {
 
 int resume_command(const ResumeArguments& arguments) {
   require_target("--json", arguments.json, {});
-  Run run;
+  RunToResume run;
   run.folder = arguments.folder;
   RunRecord record = read_record(run.folder);
   const FolderLock lock(run.folder);
@@ -175,7 +125,8 @@ int resume_command(const ResumeArguments& arguments) {
   if (run.options.isa.empty()) run.options.isa = record.isa;
   if (!run.options.threads) run.options.threads = threads_of(record);
   if (arguments.accept_tables) run.tables = OldTables::as_they_are;
-  std::optional<Resumed> resumed = go_on(run);
+  std::optional<ResumedRun> resumed =
+      go_on(run, [](const std::string& words) { fmt::print(stderr, "warning: {}\n", words); });
   const bool over = !resumed;
   if (over) resumed.emplace(start_over(run));
   if (more_stages) {

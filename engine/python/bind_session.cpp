@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "engine/check/start_warnings.hpp"
+#include "engine/cli/resumed_run.hpp"
+#include "engine/cli/run_record.hpp"
 #include "engine/energy/energy_balance.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/checkpoint_file.hpp"
@@ -27,6 +29,31 @@ std::shared_ptr<Session> resumed_session(const Scene& scene, const std::string& 
   const RunOptions options = run_options(threads, isa, oversubscribe);
   const py::gil_scoped_release free;
   return std::make_shared<Session>(Simulation(scene, read_checkpoint(path), options), options);
+}
+
+/// The scene of a run's folder as it was recorded, what replaced its preset and spacing, and the
+/// run with its outputs.
+py::tuple resumed_folder(const std::string& folder, std::optional<int> threads,
+                         const std::string& isa) {
+  const cli::RunRecord record = cli::read_record(folder);
+  auto lock = std::make_unique<FolderLock>(folder);
+  if (cli::run_is_finished(folder))
+    throw Error("'" + folder + "': the run is complete; there is nothing to go on with.");
+  const Scene scene = read_scene_text(record.scene_text, record.scene_name, record.overrides);
+  const RunOptions options = run_options(threads, isa.empty() ? record.isa : isa, false);
+  std::shared_ptr<Session> session;
+  {
+    const py::gil_scoped_release free;
+    const cli::RunToResume run{folder, scene, options};
+    std::optional<cli::ResumedRun> resumed = cli::go_on(run, warn);
+    if (!resumed) resumed.emplace(cli::start_over(run));
+    auto outputs =
+        std::make_unique<RunOutputs>(resumed->simulation, std::move(lock),
+                                     std::move(resumed->writer), std::move(resumed->recovery));
+    session =
+        std::make_shared<Session>(std::move(resumed->simulation), options, std::move(outputs));
+  }
+  return py::make_tuple(scene, record.overrides.preset, record.overrides.spacing, session);
 }
 
 /// Rows of a table with so many columns; fewer than three are padded with zeros.
@@ -68,8 +95,8 @@ py::tuple report_of(const StepReport& report) {
 py::array_t<double> field_of(const Session& session, const std::string& name) {
   const Simulation& simulation = session.read();
   std::vector<double> values = simulation.field(name);
-  const std::size_t count = simulation.soil_count();
-  return array_of(std::move(values), count == 0 ? 1 : values.size() / count);
+  const std::size_t columns = values.size() / std::max<std::size_t>(simulation.soil_count(), 1);
+  return array_of(std::move(values), std::max<std::size_t>(columns, 1));
 }
 
 py::dict probe_of(const Simulation& simulation, const std::string& name) {
@@ -135,6 +162,8 @@ void bind_session(py::module_& module) {
            py::arg("oversubscribe") = false)
       .def_static("resume", &resumed_session, py::arg("scene"), py::arg("path"),
                   py::arg("threads") = none, py::arg("isa") = "", py::arg("oversubscribe") = false)
+      .def_static("resume_folder", &resumed_folder, py::arg("folder"), py::arg("threads") = none,
+                  py::arg("isa") = "")
       .def_static("from_particles", &session_of_particles, py::arg("scene"), py::arg("position"),
                   py::arg("velocity") = none, py::arg("material") = none, py::arg("id") = none,
                   py::arg("stress") = none, py::arg("density") = none, py::arg("threads") = none,

@@ -23,18 +23,20 @@ int stored_columns(int dimension, int columns) {
 
 template <int Dim>
 kernels::SymTensor<double> corrected_rate(const kernels::Tensor<double>& l,
-                                          const kernels::SymTensor<double>& m) {
-  return kernels::symmetric_part(kernels::corrected_gradient<Dim>(l, m));
+                                          const kernels::SymTensor<double>& m, bool conjugate) {
+  return kernels::symmetric_part(conjugate ? kernels::conjugate_gradient(l, m)
+                                           : kernels::corrected_gradient<Dim>(l, m));
 }
 
 }  // namespace
 
 NumpyModel::NumpyModel(std::string material, int dimension, std::vector<std::int64_t> ids,
-                       bool corrected, py::function update, const py::dict& history)
+                       const Numerics& numerics, py::function update, const py::dict& history)
     : material_(std::move(material)),
       dimension_(dimension),
       ids_(std::move(ids)),
-      corrected_(corrected),
+      corrected_(numerics.gradient_correction),
+      conjugate_(numerics.gradient_correction && numerics.force_correction),
       update_(std::move(update)) {
   for (const auto& [name, initial] : history) {
     py::array_t<double> values(static_cast<py::ssize_t>(ids_.size()));
@@ -77,9 +79,9 @@ py::array_t<double> NumpyModel::strain(const PhaseView& view) const {
       {static_cast<py::ssize_t>(ids_.size()), static_cast<py::ssize_t>(stress_columns)});
   double* to = values.mutable_data();
   std::array<std::span<const double>, 9> gradient{};
-  for (int a = 0; a < dimension_; ++a) {
-    for (int b = 0; b < dimension_; ++b)
-      gradient[static_cast<std::size_t>(3 * a + b)] = view.read("velocity_gradient", 3 * a + b);
+  for (int c = 0; c < 9; ++c) {
+    if (c / 3 < dimension_ && c % 3 < dimension_)
+      gradient[static_cast<std::size_t>(c)] = view.read("velocity_gradient", c);
   }
   std::array<std::span<const double>, 6> moment{};
   if (corrected_) {
@@ -101,7 +103,7 @@ py::array_t<double> NumpyModel::strain(const PhaseView& view) const {
     const kernels::SymTensor<double> m{at(moment[0], 1.0), at(moment[1], 1.0), at(moment[2], 1.0),
                                        at(moment[3], 0.0), at(moment[4], 0.0), at(moment[5], 0.0)};
     const kernels::SymTensor<double> rate =
-        dimension_ == 2 ? corrected_rate<2>(l, m) : corrected_rate<3>(l, m);
+        dimension_ == 2 ? corrected_rate<2>(l, m, conjugate_) : corrected_rate<3>(l, m, conjugate_);
     const std::array<double, 6> row{rate.xx, rate.yy, rate.zz, rate.xy, rate.yz, rate.zx};
     for (std::size_t c = 0; c < row.size(); ++c) to[k * row.size() + c] = time * row[c];
   }
@@ -175,9 +177,8 @@ std::shared_ptr<NumpyModel> attach_model(Simulation& simulation, const std::stri
   for (std::size_t k = 0; k < ids.size(); ++k) {
     if (materials[k] == static_cast<double>(index)) own.push_back(ids[k]);
   }
-  auto model =
-      std::make_shared<NumpyModel>(material, scene.dimension, std::move(own),
-                                   scene.numerics.gradient_correction, std::move(update), history);
+  auto model = std::make_shared<NumpyModel>(material, scene.dimension, std::move(own),
+                                            scene.numerics, std::move(update), history);
   simulation.on_phase("advance_stress", When::before,
                       [model](PhaseView& view) { model->before_pass(view); });
   simulation.on_phase("advance_stress", When::after,

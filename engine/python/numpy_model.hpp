@@ -17,10 +17,9 @@ namespace scarp::python {
 /// particles' ids, so that the function never sees how they lie in memory.
 class NumpyModel {
  public:
-  /// `ids`: of the material's particles, ascending. `corrected`: whether the run corrects the
-  /// velocity gradient.
-  NumpyModel(std::string material, int dimension, std::vector<std::int64_t> ids, bool corrected,
-             py::function update, const py::dict& history);
+  /// `ids`: of the material's particles, ascending. `numerics`: of the scene.
+  NumpyModel(std::string material, int dimension, std::vector<std::int64_t> ids,
+             const Numerics& numerics, py::function update, const py::dict& history);
 
   void before_pass(const PhaseView& view);
   /// Errors: Error for a stress or history of another shape or with values that are not finite;
@@ -40,7 +39,7 @@ class NumpyModel {
   std::string material_;
   int dimension_;
   std::vector<std::int64_t> ids_;
-  bool corrected_;
+  bool corrected_, conjugate_;       ///< the velocity gradient, and the force with it
   std::vector<std::int64_t> order_;  ///< ids in the order of memory when `slots_` were found
   std::vector<std::size_t> slots_;   ///< of each id
   py::function update_;

@@ -25,9 +25,16 @@ RunWriter begun(const Simulation& simulation, const RunOptions& options,
 
 RunOutputs::RunOutputs(const Simulation& simulation, const RunOptions& options,
                        const std::filesystem::path& folder, bool overwrite)
-    : lock_(folder),
+    : lock_(std::make_unique<FolderLock>(folder)),
       writer_(begun(simulation, options, folder, overwrite)),
       recovery_(simulation, writer_),
+      checkpoints_(simulation, writer_, CheckpointWriter::Clock::now, &recovery_) {}
+
+RunOutputs::RunOutputs(const Simulation& simulation, std::unique_ptr<FolderLock> lock,
+                       RunWriter writer, Recovery recovery)
+    : lock_(std::move(lock)),
+      writer_(std::move(writer)),
+      recovery_(std::move(recovery)),
       checkpoints_(simulation, writer_, CheckpointWriter::Clock::now, &recovery_) {}
 
 void RunOutputs::join(RunCourse& course) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 #include "engine/output/folder_lock.hpp"
 #include "engine/output/run_writer.hpp"
@@ -17,6 +18,9 @@ class RunOutputs {
   /// Leaves the folder with the initial state. Pre: no step has been taken. Errors: FileError.
   RunOutputs(const Simulation& simulation, const RunOptions& options,
              const std::filesystem::path& folder, bool overwrite);
+  /// Goes on with those of a run that was resumed under this lock. Errors: FileError.
+  RunOutputs(const Simulation& simulation, std::unique_ptr<FolderLock> lock, RunWriter writer,
+             Recovery recovery);
   RunOutputs(const RunOutputs&) = delete;
   RunOutputs& operator=(const RunOutputs&) = delete;
 
@@ -26,7 +30,7 @@ class RunOutputs {
   const std::filesystem::path& folder() const { return writer_.folder(); }
 
  private:
-  FolderLock lock_;
+  std::unique_ptr<FolderLock> lock_;
   RunWriter writer_;
   Recovery recovery_;
   CheckpointWriter checkpoints_;

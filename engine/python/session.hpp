@@ -31,8 +31,9 @@ struct RunRequest {
 /// Errors: Error.
 class Session : public std::enable_shared_from_this<Session> {
  public:
-  Session(Simulation simulation, const RunOptions& options)
-      : simulation_(std::move(simulation)), options_(options) {}
+  Session(Simulation simulation, const RunOptions& options,
+          std::unique_ptr<RunOutputs> outputs = {})
+      : simulation_(std::move(simulation)), options_(options), outputs_(std::move(outputs)) {}
 
   /// To be read: between steps, by the thread that runs it also from within its callback.
   const Simulation& read() const;

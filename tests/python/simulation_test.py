@@ -42,6 +42,33 @@ class RunTest(common.TestCase):
         with self.assertRaisesRegex(scarp.FileError, "overwrite"):
             simulation().run(folder=self.folder / "python")
 
+    def test_a_run_that_ctrl_c_stopped_goes_on_as_if_it_had_not(self):
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        scene = column(stage=dict(name="spread", duration="0.4 s"))
+        whole, stopped = simulation(scene), simulation(scene)
+        whole.run(folder=self.folder / "whole")
+
+        def stop(now):
+            if now.time >= 0.1:
+                signal.raise_signal(signal.SIGINT)
+
+        with self.assertRaises(KeyboardInterrupt):
+            stopped.run(folder=self.folder / "stopped", callback=stop)
+        self.assertLess(stopped.time, 0.2)
+        again = scarp.Simulation.resume_run(self.folder / "stopped", threads=1)
+        self.assertEqual(again.scene.title, "Column")
+        with self.assertRaisesRegex(scarp.FileError, "another|lock|use"):
+            scarp.Simulation.resume_run(self.folder / "stopped")
+        again.run()
+        self.assert_same(again.field("stress"), whole.field("stress"))
+        for name in ("probes.csv", "frames/soil.hdf.series", "frames/soil_00003.hdf"):
+            self.assertEqual((self.folder / "stopped" / name).read_bytes(), (self.folder / "whole" / name).read_bytes(), name)
+        with self.assertRaisesRegex(scarp.Error, "complete"):
+            scarp.Simulation.resume_run(self.folder / "stopped")
+        with self.assertRaises(scarp.FileError):
+            scarp.Simulation.resume_run(self.folder / "nothing")
+
     def test_steps_a_run_and_a_run_in_parts_are_the_same(self):
         whole, parts, steps = simulation(), simulation(), simulation(oversubscribe=True)
         whole.run()
@@ -291,9 +318,11 @@ def frictionless(step):
 class ModelTest(common.TestCase):
     numerics = dict(stress_diffusion=0)  # elastic materials have none
 
-    def elastic(self, integrator="kick_drift_kick", **changes):
+    def elastic(self, integrator="kick_drift_kick", force_correction=True, **changes):
         soil = {name: CLAY[name] for name in ("name", "density", "youngs_modulus", "poisson_ratio")}
-        return column(material={**soil, "model": "linear_elastic"}, numerics={**self.numerics, "integrator": integrator, "cfl": 0.3}, **changes)
+        return column(material={**soil, "model": "linear_elastic"}, numerics={**self.numerics, "integrator": integrator,
+                                                                            "force_correction": force_correction,
+                                                                            "cfl": 0.3}, **changes)
 
     def test_a_model_of_numpy_is_the_compiled_one(self):
         compiled = simulation(column(material={**CLAY, "friction_angle": 0}, numerics={**self.numerics, "cfl": 0.3}))
@@ -310,7 +339,13 @@ class ModelTest(common.TestCase):
         self.assert_same(shrunk > 0.0, compiled.field("accumulated_plastic_strain") > 0.0)
 
     def test_the_strain_is_that_of_the_step(self):
-        mine = simulation(self.elastic(initial=None))  # without stress, whose rotation would show
+        cube = dict(dimension=3, body=dict(material="clay", box=dict(min=[0, 0, 0], max=[0.4, 0.4, 0.4])), probe=None,
+                    wall=dict(name="base", kind="no_slip", plane=dict(point=[0, 0, 0], normal=[0, 0, 1], size=3)))
+        for changes in (dict(), dict(force_correction=False), cube):
+            with self.subTest(changes):
+                self.compare_strain(simulation(self.elastic(initial=None, **changes)))  # without stress, which would turn
+
+    def compare_strain(self, mine):
         seen = []
 
         def look(step):
@@ -318,8 +353,10 @@ class ModelTest(common.TestCase):
             return step.trial
 
         mine.set_model(look)
+        mine.set_field("velocity", np.cos(mine.field("position") @ [[3, 1, 2], [2, 5, 1], [1, 2, 7]]))
         mine.step()
         step = seen[0]
+        self.assertEqual(np.count_nonzero(np.abs(step.strain).max(axis=0) > 1e-6), 3 if mine.scene.dimension == 2 else 6)
         shear, bulk = 10e6 / 2.6, 10e6 / 1.2  # E/(2(1+nu)), E/(3(1-2 nu))
         volume = step.strain[:, :3].sum(axis=1, keepdims=True)
         unit = np.array([1.0, 1.0, 1.0, 0.0, 0.0, 0.0])

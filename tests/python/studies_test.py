@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """fos, converge and element against the program, number by number. usage: studies_test.py PROGRAM"""
 import json
+import os
+import signal
+import threading
+import time
 import unittest
 
 import common
@@ -21,6 +25,17 @@ class StudiesTest(common.TestCase):
         self.assertEqual([trial["displacement"] for trial in theirs["trials"]], list(mine.trials["displacement"]))
         self.assertEqual(len(heard), len(theirs["trials"]))
         self.assertEqual(heard[-1]["reduction"], mine.trials["reduction"][-1])
+
+    def test_ctrl_c_ends_a_search(self):
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        began = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            scarp.fos(slope("0.1 m"), threads=1)  # an hour
+        # Looks take place every 0.1 s, a step of these 13,000 particles takes less; ten times that for a busy machine.
+        self.assertLess(time.monotonic() - began, 2.0)
 
     def test_what_cannot_be_searched(self):
         with self.assertRaisesRegex(scarp.SceneError, "two"):

@@ -18,6 +18,14 @@ Numbers are SI, stresses positive in tension, tensors xx, yy, zz, xy, yz, zx. A 
 are those of the program `scarp`, bit for bit. Errors are exceptions in the words of the program, below `scarp.Error`.
 """
 
+try:
+    from . import _core
+except ImportError as error:
+    import pathlib as _pathlib
+    import sys as _sys
+    _there = ", ".join(path.name for path in _pathlib.Path(__file__).parent.glob("_core.*.so"))
+    raise ImportError(f"{_sys.executable} cannot load the compiled part of scarp, {_there or 'which is not there'}: {error}. "
+                      "Try the interpreter that it was built for, mostly /usr/bin/python3.") from error
 from ._core import CheckpointError, Error, FileError, SceneError, SimulationInstability
 from ._core import version as __version__
 from .frames import Frame, Frames, read_frames, read_table

@@ -69,6 +69,9 @@ class Session:
     def resume(scene: Scene, path: str, threads: Optional[int] = ..., isa: str = ...,
                oversubscribe: bool = ...) -> "Session": ...
     @staticmethod
+    def resume_folder(folder: str, threads: Optional[int] = ..., isa: str = ...) -> Tuple[
+        Scene, str, Optional[float], "Session"]: ...
+    @staticmethod
     def from_particles(scene: Scene, position: Any, velocity: Any = ..., material: Any = ..., id: Any = ...,
                        stress: Any = ..., density: Any = ..., threads: Optional[int] = ..., isa: str = ...,
                        oversubscribe: bool = ...) -> "Session": ...

@@ -58,6 +58,18 @@ class Simulation:
         """
         return cls._of(scene, _core.Session.resume(scene._core, os.fspath(checkpoint), threads, isa or ""))
 
+    @classmethod
+    def resume_run(cls, folder: Union[str, os.PathLike], *, threads: Optional[int] = None,
+                   isa: Optional[str] = None) -> "Simulation":
+        """Goes on with a run that was stopped or killed, from the newest checkpoint in its folder that is whole, as `scarp
+        resume` does: `Simulation.resume_run("out/bank").run()`. Without a checkpoint it starts over. The outputs in the folder
+        go on as if it had never stopped.
+
+        Raises FileError if the folder holds no run or is in use, Error if the run is complete, CheckpointError.
+        """
+        core, preset, spacing, session = _core.Session.resume_folder(os.fspath(folder), threads, isa or "")
+        return cls._of(Scene._of(core, preset, spacing), session)
+
     def save(self, path: Union[str, os.PathLike]) -> None:
         """Writes the complete state to a checkpoint. A model in Python is not part of it. Raises FileError."""
         self._core.save(os.fspath(path))
@@ -86,7 +98,7 @@ class Simulation:
         removes the results in it first. Give the same folder again where a run is continued after `until`.
 
         Ctrl-C ends it between two steps with KeyboardInterrupt; the simulation can be read and run on. With a folder, a
-        checkpoint is written before. Raises SimulationInstability, FileError.
+        checkpoint is written before, from which `resume_run` goes on with the outputs too. Raises SimulationInstability, FileError.
         """
         self._core.run(None if until is None else quantity(until, "time"),
                        None if every is None else quantity(every, "time"),

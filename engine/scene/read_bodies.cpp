@@ -38,8 +38,11 @@ std::vector<std::array<double, 2>> read_pairs(const Value& value, std::size_t le
 Body read_body(const Value& item, int dimension, const std::vector<std::string>& materials) {
   Keys shapes, keys = {"material", "velocity", "velocity_field"};
   for (const ShapeRow* row : shape_list()) {
-    shapes.push_back(row->key);
-    keys.push_back(row->key);
+    for (const std::string_view key : {row->key, row->other.key}) {
+      if (key.empty()) continue;
+      shapes.push_back(key);
+      keys.push_back(key);
+    }
     if (!row->companion.key.empty()) keys.push_back(row->companion.key);
   }
   const Table table = item.table(keys);
@@ -53,8 +56,9 @@ Body read_body(const Value& item, int dimension, const std::vector<std::string>&
   }
   const std::string_view shape = table.require_one_of(shapes);
   for (const ShapeRow* row : shape_list()) {
-    if (row->key == shape) {
-      body.shape = row->read(table, table.require(shape, "..."), dimension);
+    if (row->key == shape || row->other.key == shape) {
+      const auto read = row->key == shape ? row->read : row->other.read;
+      body.shape = read(table, table.require(shape, "..."), dimension);
     } else if (const auto companion = table.find(row->companion.key)) {
       companion->fail(std::string(row->companion.misplaced));
     }

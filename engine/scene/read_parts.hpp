@@ -33,5 +33,7 @@ Vec3 read_vector(const Value& value, kernels::Unit unit, int dimension);
 Box read_box(const Table& table, int dimension);
 /// [[a, b], [a, b], ...] with at least `least` pairs [m].
 std::vector<std::array<double, 2>> read_pairs(const Value& value, std::size_t least);
+/// Outline of `slope = {toe, height, ratio, ...}`.
+std::vector<std::array<double, 2>> slope_outline(const Value& value);
 
 }  // namespace scarp::input

@@ -42,6 +42,12 @@ struct CompanionKey {
   std::string_view misplaced;
 };
 
+/// Another key of [[body]] that makes a shape of the same kind, in other words.
+struct OtherForm {
+  std::string_view key{};
+  Body::Shape (*read)(const input::Table& body, const input::Value& value, int dimension) = nullptr;
+};
+
 /// What the engine asks of one kind of shape, an alternative of `Body::shape`; each row is in the
 /// file of its shape, `engine/scene/shapes/`. Functions take a shape of their own kind.
 struct ShapeRow {
@@ -66,6 +72,7 @@ struct ShapeRow {
                   std::vector<double>& out);
   /// What a cut takes, in edges looked at.
   double (*cost)(const Body::Shape& shape);
+  OtherForm other{};
 };
 
 extern const ShapeRow polygon_row, box_row, cylinder_row, height_field_row;

@@ -2,6 +2,7 @@
 /// Outlines in 2D, and in 3D prisms along y.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,9 +21,11 @@ constexpr CompanionKey extrude_key{"extrude",
 
 const Polygon& polygon_of(const Body::Shape& shape) { return std::get<Polygon>(shape); }
 
-Body::Shape read(const input::Table& body, const input::Value& value, int dimension) {
+/// The outline, and in 3D the range of y over which it reaches.
+Polygon extruded(std::vector<std::array<double, 2>> points, const input::Table& body,
+                 int dimension) {
   Polygon polygon;
-  polygon.points = input::read_pairs(value, 3);
+  polygon.points = std::move(points);
   if (dimension == 2) {
     if (const auto extrude = body.find(extrude_key.key))
       extrude->fail(std::string(extrude_key.misplaced));
@@ -33,6 +36,14 @@ Body::Shape read(const input::Table& body, const input::Value& value, int dimens
   const std::vector<double> range = extrude.numbers(kernels::Unit::length, 2);
   polygon.extrude = {range[0], range[1]};
   return polygon;
+}
+
+Body::Shape read(const input::Table& body, const input::Value& value, int dimension) {
+  return extruded(input::read_pairs(value, 3), body, dimension);
+}
+
+Body::Shape read_slope(const input::Table& body, const input::Value& value, int dimension) {
+  return extruded(input::slope_outline(value), body, dimension);
 }
 
 void check(const Body::Shape& shape, int dimension, const std::string& path) {
@@ -151,6 +162,6 @@ double cost(const Body::Shape& shape) {
 }  // namespace
 
 const ShapeRow polygon_row{"polygon", extrude_key, read,  check,   write, describe,
-                           extent,    cut,         false, corners, cost};
+                           extent,    cut,         false, corners, cost,  {"slope", read_slope}};
 
 }  // namespace scarp

@@ -94,7 +94,7 @@ inline constexpr BadScene bad_scenes[] = {
     {in_2d, "density = 2000.0", "", 7, "key 'material[0].density' is missing"},
     {in_2d, "youngs_modulus = \"100 MPa\"", "", 7, "key 'material[0].youngs_modulus' is missing"},
     {in_2d, "polygon = [[0, 0], [45, 0], [45, 5], [32, 5], [12, 15], [0, 15]]", "", 18,
-     "none of polygon, box, cylinder, height_field is given. Try one of them."},
+     "none of polygon, slope, box, cylinder, height_field is given. Try one of them."},
     {in_2d, "kind = \"no_slip\"", "", 22, "key 'wall[0].kind' is missing"},
     {in_2d, "until = \"rest\"", "", 30, "key 'stage[0].duration' is missing"},
     {in_2d, "at = [12, 15]", "", 39, "key 'probe[0].at' is missing"},

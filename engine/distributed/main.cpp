@@ -97,7 +97,7 @@ void say_how_shared(const Processes& processes, const SoilParts& parts) {
   fmt::print(
       stderr,
       "{} processes: {} divisions, fullest over mean {:.3f} at first, {:.3f} at last, {:.3f} "
-      "at most; {:.3g} ghosts per particle; {} particles moved; {} refreshes in {} messages "
+      "at most; {:.6g} ghosts per particle; {} particles moved; {} refreshes in {} messages "
       "with {} numbers\n"
       "first process: {:.3g} s in divisions, {:.3g} s in refreshes, {:.3g} s in joins\n",
       processes.count(), traffic.deals / processes.count(), balance.first, balance.last,

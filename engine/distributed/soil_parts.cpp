@@ -152,6 +152,11 @@ void SoilParts::begin(const JointCall& call) {
   in_call_ = true;
 }
 
+void SoilParts::end() {
+  meet();
+  in_call_ = false;
+}
+
 Order SoilParts::next_order() {
   Message message = processes_.broadcast({});
   Order order;
@@ -211,15 +216,9 @@ void SoilParts::deal(ParticleBuffers& soil, ParticleBuffers& ghosts) {
 }
 
 void SoilParts::take_balance(double own, double ghosts) {
-  double fewest = own, most = own, all = own;
-  minimum({&fewest, 1});
+  double most = own, all = own;
   maximum({&most, 1});
   sum_each({&all, &ghosts});
-  if (fewest == 0.0) {
-    throw Error(fmt::format(
-        "scarp-lammps: a cut leaves one of {} processes without soil. Try fewer processes.",
-        processes_.count()));
-  }
   balance_.last = most * processes_.count() / all;
   if (deals_ == 0.0) balance_.first = balance_.last;
   balance_.most = std::max(balance_.most, balance_.last);

@@ -48,7 +48,7 @@ class SoilParts : public Reduction {
   void collect(std::vector<double>& values) override;
   bool leads() const override { return processes_.leads(); }
   void begin(const JointCall& call) override;
-  void end() noexcept override { in_call_ = false; }
+  void end() override;
   void divide(ParticleBuffers& soil) override;
   void deal(ParticleBuffers& soil, ParticleBuffers& ghosts) override;
   void refresh(const ParticleBuffers& soil, ParticleBuffers& ghosts,

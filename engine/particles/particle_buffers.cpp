@@ -124,6 +124,8 @@ std::vector<std::int64_t> ParticleBuffers::exchange(
     group.count = added.back() - group.first + std::ssize(new_ids[g]);
     group.capacity =
         slots.empty() ? std::max(group.capacity, padded(group.count)) : padded(group.count);
+    // Arrays are never empty: those of a field that is not stored are.
+    if (g == 0) group.capacity = std::max(group.capacity, group_alignment);
     from.resize(static_cast<std::size_t>(group.padded_end()), -1);
   }
   rearrange(std::move(groups), from);

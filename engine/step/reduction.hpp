@@ -58,9 +58,9 @@ class Reduction {
   [[nodiscard]] virtual bool leads() const { return true; }
 
   /// Around the work of each member that all parts take part in: where one of them leads, it tells
-  /// the others what to call.
+  /// the others what to call. `end` throws what another part has thrown since all met last.
   virtual void begin(const JointCall& /*call*/) {}
-  virtual void end() noexcept {}
+  virtual void end() {}
 
   /// Each part has made all soil, and leaves its own. Until then, since `begin` of `make`, values
   /// are the whole's already.
@@ -115,7 +115,7 @@ class InCall {
   }
   InCall(const InCall&) = delete;
   InCall& operator=(const InCall&) = delete;
-  ~InCall() {
+  ~InCall() noexcept(false) {  // not while something else is thrown
     if (std::uncaught_exceptions() == unwinding_) reduction_.end();
   }
 

@@ -41,8 +41,9 @@ double speed_squared(const State& state, std::int64_t slot) {
   return square;
 }
 
+/// Below 0 in a part without soil.
 std::int64_t fastest_slot(const State& state) {
-  std::int64_t fastest = 0;
+  std::int64_t fastest = -1;
   double most = -1.0;
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::int64_t k = group.first; k < group.end(); ++k) {
@@ -63,6 +64,10 @@ double allowed_speed(const State& state, double by_hooks) {
 /// Beyond the allowed speed only a fall explains more: its own, or that of soil which pushes it.
 std::optional<Instability> too_fast(const State& state) {
   const std::int64_t slot = fastest_slot(state);
+  const Vec3& g = state.scene.gravity;
+  const double height = std::hypot(g[0], g[1], g[2]) * soil_height(state);
+  const double by_hooks = state.reduction->maximum_of(state.ledger.hooks.speed);
+  if (slot < 0) return {};
   double fall = 0.0;  // g . u, since the last reset
   for (int a = 0; a < state.scene.dimension; ++a) {
     fall += state.scene.gravity[static_cast<std::size_t>(a)] *
@@ -73,9 +78,6 @@ std::optional<Instability> too_fast(const State& state) {
   found.field = "speed";
   found.unit = "m/s";
   found.value = std::sqrt(speed_squared(state, slot));
-  const Vec3& g = state.scene.gravity;
-  const double height = std::hypot(g[0], g[1], g[2]) * soil_height(state);
-  const double by_hooks = state.reduction->maximum_of(state.ledger.hooks.speed);
   found.limit = allowed_speed(state, by_hooks) + std::sqrt(2.0 * (std::max(fall, 0.0) + height));
   if (found.value <= found.limit) return {};
   found.cause = causes;
@@ -155,8 +157,9 @@ std::optional<Instability> energy_from_nothing(const State& state) {
   const double slow = 1e-3 * state.limits.sound_speed;
   const double spent = start.kinetic + start.elastic + std::max(-now.potential, 0.0) + by_hooks +
                        0.5 * mass * slow * slow;
-  if (gain <= spent) return {};
-  Instability found = at_particle(state, fastest_slot(state));  // the likeliest culprit
+  const std::int64_t likeliest = fastest_slot(state);
+  if (gain <= spent || likeliest < 0) return {};
+  Instability found = at_particle(state, likeliest);
   found.field = "energy gained by all soil";
   found.unit = state.scene.dimension == 2 ? "J/m" : "J";
   found.value = gain;

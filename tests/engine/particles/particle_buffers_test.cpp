@@ -253,5 +253,19 @@ TEST(ParticleBuffersTest, WhatIsRemovedLeavesNoGapAndGivesUpCapacity) {
   EXPECT_EQ(particles.group_of(first).material, 1U);
 }
 
+TEST(ParticleBuffersTest, SomeGoAndOthersComeAtOnce) {
+  ParticleBuffers particles = two_groups();
+  constexpr std::int64_t slots[]{1, 2, 36};
+  const std::vector<std::int64_t> ids[]{{9'000'001, 9'000'002}, {9'000'003}};
+  const std::vector<std::int64_t> first = particles.exchange(slots, ids);
+  EXPECT_EQ(first, std::vector<std::int64_t>({18, 36}));
+  for (const auto& [slot, id] : {std::pair{18, 9'000'001}, {19, 9'000'002}, {36, 9'000'003}}) {
+    EXPECT_EQ(particles.ids()[static_cast<std::size_t>(slot)], id);
+    particles.component(Field::position, 0)[slot] = id;
+    particles.component(Field::acceleration, 1)[slot] = -id;
+  }
+  expect_sound(particles, 25);
+}
+
 }  // namespace
 }  // namespace scarp::test

@@ -57,9 +57,9 @@ void raise_stopped() {
 }
 
 /// The most special kind first.
-void translate(const std::exception_ptr& thrown) {
+void translate(std::exception_ptr thrown) {
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const Stopped&) {
     raise_stopped();
   } catch (const SimulationInstability& error) {
@@ -119,7 +119,7 @@ void bind_errors(py::module_& module) {
       "A run that left the physical range. The state stays readable. Attributes: step, time [s], "
       "stage, particle (its id), position [m], field, unit, value, limit, cause, advice.",
       bases(kinds.error, PyExc_ArithmeticError));
-  py::register_exception_translator([](std::exception_ptr thrown) { translate(thrown); });
+  py::register_exception_translator(translate);
 }
 
 }  // namespace scarp::python

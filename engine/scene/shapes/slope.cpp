@@ -12,17 +12,17 @@ namespace {
 using kernels::Unit;
 using Points = std::vector<std::array<double, 2>>;
 
-double length_at_least(const Value& value, double least, bool excluded) {
+double length_of(const Value& value, bool above_zero) {
   const double length = value.number(Unit::length);
-  if (length > least || (!excluded && length == least)) return length;
-  value.fail(excluded ? "it is not above 0. Try a length above 0."
-                      : "it is below 0. Try 0 or more.");
+  if (above_zero && !(length > 0.0)) value.fail("it is not above 0. Try a length above 0.");
+  if (!(length >= 0.0)) value.fail("it is below 0. Try 0 or more.");
+  return length;
 }
 
 double optional_length(const Table& slope, std::string_view key, double otherwise,
                        bool above_zero) {
   const auto value = slope.find(key);
-  return value ? length_at_least(*value, 0.0, above_zero) : otherwise;
+  return value ? length_of(*value, above_zero) : otherwise;
 }
 
 /// Horizontal length of the face for a height of 1.
@@ -46,7 +46,7 @@ double run_of(const Table& slope) {
 Points berms_of(const Table& slope, double height) {
   const auto value = slope.find("berms");
   if (!value) return {};
-  const Points berms = read_pairs(*value, 1);
+  Points berms = read_pairs(*value, 1);
   double below = 0.0;
   for (const auto& [at, width] : berms) {
     if (!(at > below && at < height) || !(width > 0.0)) {
@@ -67,7 +67,7 @@ Points slope_outline(const Value& value) {
   const Table slope = value.table(
       {"toe", "height", "ratio", "angle", "crest", "ground", "depth", "berms", "faces"});
   const std::vector<double> toe = slope.require("toe", "[30, 5]").numbers(Unit::length, 2);
-  const double height = length_at_least(slope.require("height", "10"), 0.0, true);
+  const double height = length_of(slope.require("height", "10"), true);
   const double run = run_of(slope);
   const double crest = optional_length(slope, "crest", 2.0 * height, true);
   const double ground = optional_length(slope, "ground", 2.0 * height, false);

@@ -120,8 +120,8 @@ class RunTest(common.TestCase):
         threading.Timer(0.3, send).start()
         with self.assertRaises(KeyboardInterrupt):
             mine.run()
-        # A look takes place every 0.1 s, a step of 100 particles less than 1 ms; ten times that for a busy machine.
-        self.assertLess(time.monotonic() - sent[0], 1.0)
+        # A look takes place every 0.1 s, a step of 100 particles less than 1 ms; fifty times that for a busy machine.
+        self.assertLess(time.monotonic() - sent[0], 5.0)
         steps = mine.last_step.step
         self.assertGreater(steps, 0)
         self.assertEqual(mine.step().step, steps + 1)
@@ -191,6 +191,7 @@ class FieldTest(common.TestCase):
             mine.field("temperature")
         table = mine.table("velocity", "density")
         self.assertEqual(list(table), ["id", "velocity_x", "velocity_y", "velocity_z", "density"])
+        self.assertEqual({column.shape for column in mine.table().values()}, {(mine.soil_count,)})
 
     def test_a_view_shows_the_particles_of_its_moment_only(self):
         mine = simulation(column(stage=dict(name="spread", duration="1 s")))
@@ -227,10 +228,14 @@ class FieldTest(common.TestCase):
         mine = simulation()
         mine.run(until=0.01)
         view = mine.view("stress", "yy")
+        kept = []
+        np.apply_along_axis(lambda values: kept.append(values) or 0.0, 0, view)
         with view._raw() as raw:
+            self.assertFalse(any(np.shares_memory(values, raw) for values in kept))
             self.assertFalse(raw.flags.writeable)
             for given in (view[:], view[2:5], view.copy(), np.asarray(view), np.reshape(view, (-1, 1)), np.real(view),
                           np.split(view, 2)[0], np.atleast_1d(view), np.broadcast_to(view, (2, len(view))),
+                          np.lib.stride_tricks.sliding_window_view(view, 3), np.ix_(view)[0], np.einsum("i->i", view),
                           +view, np.abs(view)):
                 self.assertFalse(np.shares_memory(given, raw))
         before = mine.field("stress")

@@ -34,8 +34,8 @@ class StudiesTest(common.TestCase):
         began = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
             scarp.fos(slope("0.1 m"), threads=1)  # an hour
-        # Looks take place every 0.1 s, a step of these 13,000 particles takes less; ten times that for a busy machine.
-        self.assertLess(time.monotonic() - began, 2.0)
+        # Looks take place every 0.1 s, a step of these 13,000 particles takes less; fifty times that for a busy machine.
+        self.assertLess(time.monotonic() - began, 10.0)
 
     def test_what_cannot_be_searched(self):
         with self.assertRaisesRegex(scarp.SceneError, "two"):

@@ -41,7 +41,9 @@ class View(np.lib.mixins.NDArrayOperatorsMixin):
         finally:
             self._slots.unpin()
 
-    def __array__(self, dtype: Any = None) -> np.ndarray:
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        if copy is False:
+            raise ValueError("a view gives out copies only.")
         with self._raw() as raw:
             return np.array(raw, dtype=dtype)
 
@@ -90,6 +92,9 @@ class View(np.lib.mixins.NDArrayOperatorsMixin):
         return result  # of the inputs, a ufunc returns none
 
     def __array_function__(self, function: Any, types: Any, inputs: tuple, keywords: dict) -> Any:
+        if any(callable(value) for value in (*inputs, *keywords.values())):
+            # A function of the caller's could keep what it is shown.
+            return function(*_copied(inputs), **_copied(keywords))
         with contextlib.ExitStack() as stack:
             raws: list = []
             result = function(*_opened(inputs, stack, raws), **_opened(keywords, stack, raws))
@@ -117,10 +122,22 @@ def _opened(value: Any, stack: contextlib.ExitStack, raws: Any = None) -> Any:
     return value
 
 
+def _copied(value: Any) -> Any:
+    """The same with copies in place of views."""
+    if isinstance(value, View):
+        return value.copy()
+    if type(value) in (tuple, list):
+        return type(value)(_copied(item) for item in value)
+    if type(value) is dict:
+        return {name: _copied(item) for name, item in value.items()}
+    return value
+
+
 def _own(value: Any, raws: list) -> Any:
     """The same with a copy of each array that lies in the simulation's memory."""
     if isinstance(value, np.ndarray):
         return value.copy() if any(np.may_share_memory(value, raw) for raw in raws) else value
-    if type(value) in (tuple, list):
-        return type(value)(_own(item, raws) for item in value)
+    if isinstance(value, (tuple, list)):
+        items = [_own(item, raws) for item in value]
+        return items if isinstance(value, list) else tuple(items)
     return value

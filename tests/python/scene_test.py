@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scenes by keywords and from TOML; errors; what the package says of itself. usage: scene_test.py PROGRAM"""
 import ast
+import contextlib
 import inspect
+import io
+import os
 import pathlib
+import re
 import subprocess
 import unittest
+from unittest import mock
 
 import common
 import numpy as np
@@ -62,6 +67,50 @@ class SceneTest(common.TestCase):
         scene = column(material={**CLAY, "density": 20.0})
         with self.assertWarnsRegex(RuntimeWarning, "density"):
             scarp.Simulation(scene, threads=1)
+
+
+class PagesTest(common.TestCase):
+    """The Python of both pages runs, with README's scene made coarse."""
+
+    root = pathlib.Path(__file__).resolve().parents[2]
+
+    def blocks(self, page, language):
+        return re.findall(rf"```{language}\n(.*?)```", (self.root / page).read_text("utf-8"), re.S)
+
+    def setUp(self):
+        super().setUp()
+        bank = next(block for block in self.blocks("README.md", "toml") if "Clay bank" in block)
+        coarse = re.sub(r'duration = "5 s"', 'duration = "0.5 s"', bank.replace('spacing = "0.25 m"', 'spacing = "1.25 m"'))
+        self.assertNotEqual(coarse, bank)
+        (self.folder / "bank.toml").write_text(coarse)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+
+    def run_blocks(self, blocks, names):
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            for block in blocks:
+                exec(compile(block, "page", "exec"), names)
+        return printed.getvalue()
+
+    def test_of_the_project(self):
+        blocks = self.blocks("README.md", "python")
+        self.assertEqual(len(blocks), 1)
+        with mock.patch("scarp.fos", wraps=lambda scene: scarp.studies.fos(scene, tolerance=0.5, window="0.5 s")):
+            self.assertRegex(self.run_blocks(blocks, {}), r"\d")
+
+    def test_of_the_module(self):
+        *blocks, model = self.blocks("engine/python/README.md", "python")
+        self.assertEqual(len(blocks), 3)
+        names = {}
+        self.run_blocks(blocks, names)
+        self.assertEqual(scarp.Scene.from_toml("bank.toml").spacing, 0.25)  # saved by the page
+        self.assertGreater(names["fastest"], 0.0)
+        names["simulation"] = scarp.Simulation(column(material=dict(
+            name="clay", model="linear_elastic", density=2000, youngs_modulus="10 MPa", poisson_ratio=0.3)))
+        self.run_blocks([model], names)
+        names["simulation"].run(until=0.02)
+        self.assertIn("shrunk", names["simulation"].model_history())
 
 
 class PackageTest(unittest.TestCase):

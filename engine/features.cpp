@@ -69,6 +69,10 @@ std::vector<UsedFeature> used_features(const State& state) {
        std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
                    [](const Wall& w) { return w.velocity != Vec3{}; }),
        "dummies are moved every step"},
+      {"sleep", soil_may_sleep(state.scene),
+       "soil at rest is left out, 16 particles at once: " +
+           bytes({Field::asleep, Field::stirred_time, Field::stirred_history}) +
+           ", and a graph of the lists"},
       {"energy balance", state.scene.output.energy,
        bytes({Field::stress_work, Field::plastic_work, Field::diffusion_work}) +
            ", one to three more force sweeps every 10 steps"},

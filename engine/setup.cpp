@@ -38,6 +38,9 @@ std::vector<Field> used_fields(const Scene& scene, const ChosenKernels& chosen) 
   const bool energy = scene.output.energy;
   add(scene.numerics.integrator == Integrator::verlet,
       {Field::previous_velocity, Field::previous_density, Field::previous_stress});
+  add(soil_may_sleep(scene),
+      {Field::asleep, Field::stirred_time, Field::rest_acceleration, Field::rest_change});
+  add(soil_may_sleep(scene) && !history_of(scene).empty(), {Field::stirred_history});
   add(energy, {Field::stress_work});
   add(energy && any_yields(scene), {Field::plastic_work});
   add(energy && chosen.terms.has(kernels::Term::diffusion), {Field::diffusion_work});

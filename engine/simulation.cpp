@@ -138,6 +138,7 @@ void Simulation::perturb(double speed) {
   if (!std::isfinite(speed))
     throw Error(fmt::format("perturb({}): no speed. Try a finite number of m/s.", speed));
   State& state = owned(impl_).state;
+  wake_all(state);
   add_noise(state.particles, speed);
   state.clock.restart = true;
 }
@@ -229,6 +230,9 @@ void Simulation::require_sound() const {
 }
 
 const LostSoil& Simulation::lost_soil() const { return owned(impl_).state.lost; }
+std::uint64_t Simulation::asleep_count() const {
+  return static_cast<std::uint64_t>(owned(impl_).state.sleep.asleep);
+}
 EnergyBalance Simulation::energy() const {
   const InCall call = owned(impl_).begin(Member::energy);
   return energy_balance(impl_->state);

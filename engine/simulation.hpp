@@ -115,6 +115,8 @@ class Simulation {
   void require_sound() const;
   /// Soil lost so far; looked for every 50 steps and when a stage ends.
   [[nodiscard]] const LostSoil& lost_soil() const;
+  /// Particles that sleep now (`Numerics::sleep`); none in a part of a soil.
+  [[nodiscard]] std::uint64_t asleep_count() const;
   [[nodiscard]] EnergyBalance energy() const;
   [[nodiscard]] std::vector<WallReaction> wall_reactions() const;
   [[nodiscard]] ProbeSample probe(

@@ -14,6 +14,7 @@
 #include "engine/particles/particle_buffers.hpp"
 #include "engine/particles/probe_sample.hpp"
 #include "engine/run_options.hpp"
+#include "engine/sleep/sleep.hpp"
 #include "engine/stages/stages.hpp"
 #include "engine/step/phase.hpp"
 #include "engine/step/reduction.hpp"
@@ -42,6 +43,7 @@ struct State {
   RecordScaling scaling;
   SweepInput sweep;
   Neighbours neighbours;
+  Sleep sleep;
   Boundary boundary;
   std::vector<kernels::StressPassConstants> material_constants;
   std::uint64_t density_bounds = 0;            ///< how often they acted

@@ -123,6 +123,7 @@ void hold_off_faces(State& state) {
     Holds holds;
     FacetSearch search;
     for (std::int64_t cluster = begin; cluster < end; ++cluster) {
+      if (!state.sleep.is_awake(cluster * size)) continue;
       const bool has_dummies = lists.wall_begin[cluster] != lists.soil_begin[cluster + 1];
       if (!has_dummies && !state.boundary.images.is_close(cluster * size, size)) continue;
       const ParticleGroup& group = state.particles.group_of(cluster * size);

@@ -155,6 +155,12 @@ std::vector<std::int64_t> MirrorImages::fast() const {
   return found;
 }
 
+std::int64_t MirrorImages::soil_of(std::int64_t image) const {
+  std::int64_t source = images_[static_cast<std::size_t>(image)].source;
+  while (source < 0) source = images_[static_cast<std::size_t>(-1 - source)].source;
+  return source;
+}
+
 bool MirrorImages::is_close(std::int64_t slot, std::int64_t count) const {
   const auto last = std::min(slot + count, static_cast<std::int64_t>(close_.size()));
   return slot < last && std::any_of(close_.begin() + slot, close_.begin() + last,

@@ -47,6 +47,9 @@ class MirrorImages {
     return images_[static_cast<std::size_t>(image)].wall;
   }
 
+  /// The soil slot that an image, or the one it is an image of, stands for.
+  std::int64_t soil_of(std::int64_t image) const;
+
   /// Whether any of these slots was within `close` of a free-slip face at the last selection.
   bool is_close(std::int64_t slot, std::int64_t count) const;
 

@@ -11,7 +11,7 @@ namespace {
 Vec3 total_force(const State& state, const kernels::PairSweepView<double>& view,
                  NarrowRecords& narrow) {
   Vec3 sum{};
-  sweep_force_with(state, view, narrow);
+  sweep_force_with(state, state.neighbours.lists.active_clusters(), view, narrow);
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::size_t a = 0; a < static_cast<std::size_t>(state.scene.dimension); ++a) {
       const double* acceleration =

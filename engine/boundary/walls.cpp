@@ -132,7 +132,7 @@ void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int di
 }
 
 void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, int dimension,
-                      const NeighbourLists& lists, const WallSweepView<double>& base,
+                      std::span<const std::int32_t> clusters, const WallSweepView<double>& base,
                       const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
                       Records& records) {
   WallSweepView<double> view = base;
@@ -141,18 +141,17 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
   for (std::size_t c = 0; c < std::size(sums_); ++c) view.sums[c] = sums_[c].data();
   const auto sweep =
       kernels.wall_sweep[static_cast<std::size_t>(what)][static_cast<std::size_t>(dimension - 2)];
-  const auto active = lists.active_clusters();
   const std::int64_t size = kernels.cluster_size;
   const auto run = [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t n = begin; n < end; ++n) {
-      const std::int64_t cluster = active[static_cast<std::size_t>(n)];
+      const std::int64_t cluster = clusters[static_cast<std::size_t>(n)];
       const std::int64_t first = cluster * size, last = std::min(first + size, count());
       for (std::int64_t k = first; k < last; ++k) pack(records, k, material, wall_velocity);
       sweep(view, cluster, cluster + 1);
       for (std::int64_t k = first; k < last; ++k) put_sums(records, k, what, dimension);
     }
   };
-  parallel_chunks(threads, static_cast<std::int64_t>(active.size()), 64, run);
+  parallel_chunks(threads, std::ssize(clusters), 64, run);
 }
 
 std::size_t Walls::bytes() const {

@@ -55,9 +55,9 @@ class Walls {
   /// Which of the dummies in corners with free-slip faces stand now; when lists are built.
   void choose_standing(const Scene& scene, const WallSurface& surface, const WallPlacement& walls);
   /// Records of the dummies that have soil in reach: position, velocity, and what the wall sweep
-  /// sums of the soil. No list names the others. Equation: B1, B2, B5.
+  /// sums of the soil, cluster by cluster. No list names the others. Equation: B1, B2, B5.
   void take_sums(kernels::WallSums what, int threads, const kernels::KernelTable& kernels,
-                 int dimension, const NeighbourLists& lists,
+                 int dimension, std::span<const std::int32_t> clusters,
                  const kernels::WallSweepView<double>& base, const WallMaterial& material,
                  const std::vector<Vec3>& wall_velocity, Records& records);
   std::size_t bytes() const;

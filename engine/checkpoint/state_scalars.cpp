@@ -108,6 +108,15 @@ void exchange(Archive& a, AnyState& state) {
   for (std::size_t k = 0; k < std::size(step_limit_names); ++k)
     a.integer(fmt::format("counts/steps_by_{}", step_limit_names[k]).c_str(),
               state.limits.counts[k]);
+  if (soil_may_sleep(state.scene)) {
+    a.number("sleep/lasting", "m/s2", state.sleep.bounds.lasting, not_negative);
+    a.number("sleep/acceleration", "m/s2", state.sleep.bounds.acceleration, not_negative);
+    a.number("sleep/speed", "m/s", state.sleep.bounds.speed, not_negative);
+    a.number("sleep/window", "s", state.sleep.bounds.window, not_negative);
+    a.number("sleep/moved", "m", state.sleep.moved, not_negative);
+    a.number("sleep/kinetic", "J", state.sleep.kinetic, not_negative);
+    a.integer("sleep/wake_due", state.sleep.wake_due);
+  }
   auto& ledger = state.ledger;
   const auto powers = [&a](const char* const(&names)[6], const char* unit, auto& p) {
     a.number(names[0], unit, p.stress);

@@ -261,6 +261,7 @@ void apply_snapshot(State& state, const Snapshot& snapshot) {
   if (snapshot.has("walls/position")) put_dummies(snapshot, "walls/position", state.boundary.walls);
   if (state.stage.started) require_sound(state);
   if (!lists_valid) return;
+  regroup_sleep(state);
   pack_forces(state);  // no step needs it, but who asks for forces on walls first
   pack_images(state);
   extrapolate_walls(state);

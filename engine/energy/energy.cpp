@@ -53,6 +53,7 @@ StoredEnergy own_energy(const State& state) {
     }
   }
   sum.parts.hooks = state.ledger.hooks.net;
+  sum.parts.sleep = state.sleep.kinetic;
   return sum;
 }
 
@@ -61,7 +62,7 @@ StoredEnergy stored_energy(const State& state) {
   StoredEnergy sum = own_energy(state);
   state.reduction->sum_each({&sum.parts.kinetic, &sum.parts.potential, &sum.parts.elastic,
                              &sum.parts.plastic, &sum.parts.diffusion, &sum.parts.hooks,
-                             &sum.stress_work});
+                             &sum.parts.sleep, &sum.stress_work});
   return sum;
 }
 
@@ -102,7 +103,7 @@ void sample_energy(State& state) {
     kernels::PairConstants<double>& c = view.constants;
     if (!viscosity) c.viscosity_alpha = c.viscosity_beta = c.hourglass_viscosity = 0.0;
     state.sweep.records.fill(view, tension && state.sweep.records.has_second());
-    sweep_force_with(state, view, state.sweep.narrow_records);
+    sweep_force_with(state, awake_clusters(state), view, state.sweep.narrow_records);
     return power(state, acceleration);
   };
   const double total = power_of(true, true);
@@ -167,12 +168,13 @@ EnergyBalance energy_balance(const State& state) {
   e.artificial_stress = ledger.work.artificial_stress;
   e.wall = ledger.work.wall + ledger.work.hold;
   e.hooks = now.parts.hooks;
+  e.sleep = now.parts.sleep;
   if (state.scene.output.energy) {
     e.gradient_residue =
         -ledger.work.stress - (now.stress_work - ledger.stress_work_start) - ledger.work.wall;
     e.imbalance = e.hooks - (e.kinetic - ledger.start.kinetic + e.potential + e.elastic +
                              e.plastic + e.viscous + e.damping + e.wall + e.artificial_stress +
-                             e.gradient_residue + e.diffusion);
+                             e.gradient_residue + e.diffusion + e.sleep);
   }
   return e;
 }
@@ -180,6 +182,7 @@ EnergyBalance energy_balance(const State& state) {
 void start_ledger(State& state) {
   const StoredEnergy now = stored_energy(state);
   state.ledger = EnergyLedger{};
+  state.sleep.kinetic = 0.0;
   state.ledger.last_time = state.report.time;
   state.ledger.last_step = state.report.step;
   state.ledger.start = now.parts;

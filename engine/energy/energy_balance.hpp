@@ -18,6 +18,7 @@ struct EnergyBalance {
       0.0;                 ///< force power minus stress power: plain force, corrected gradient
   double diffusion = 0.0;  ///< elastic energy taken by the stress diffusion
   double hooks = 0.0;      ///< work that hooks of the program do on the soil
+  double sleep = 0.0;      ///< kinetic energy of soil that fell asleep
   double imbalance = 0.0;  ///< what the lines above leave open
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Kick-drift-kick scheme: velocity gradient at mid-step, force at the end. Equation: I1.
 #include "engine/integrate/stress_phase.hpp"
-#include "engine/parallel.hpp"
+#include "engine/particles/each_slot.hpp"
 #include "engine/state.hpp"
 
 namespace scarp {
@@ -16,12 +16,12 @@ void kick_half(State& state) {
     double* velocity = state.particles.component(Field::velocity, a);
     const double* acceleration = state.particles.component(Field::acceleration, a);
     const double gravity = state.scene.gravity[static_cast<std::size_t>(a)];
-    parallel_chunks(state.threads, state.particles.slots(), particle_chunk,
-                    [&](std::int64_t begin, std::int64_t end) {
-                      for (std::int64_t k = begin; k < end; ++k) {
-                        velocity[k] = keep * velocity[k] + gain * (acceleration[k] + gravity);
-                      }
-                    });
+    each_slot(state.threads, state.sleep.awake, state.particles.slots(),
+              [&](std::int64_t begin, std::int64_t end) {
+                for (std::int64_t k = begin; k < end; ++k) {
+                  velocity[k] = keep * velocity[k] + gain * (acceleration[k] + gravity);
+                }
+              });
   }
 }
 
@@ -30,10 +30,10 @@ void drift_half(State& state) {
   for (int a = 0; a < state.scene.dimension; ++a) {
     double* position = state.particles.component(Field::position, a);
     const double* velocity = state.particles.component(Field::velocity, a);
-    parallel_chunks(state.threads, state.particles.slots(), particle_chunk,
-                    [&](std::int64_t begin, std::int64_t end) {
-                      for (std::int64_t k = begin; k < end; ++k) position[k] += half * velocity[k];
-                    });
+    each_slot(state.threads, state.sleep.awake, state.particles.slots(),
+              [&](std::int64_t begin, std::int64_t end) {
+                for (std::int64_t k = begin; k < end; ++k) position[k] += half * velocity[k];
+              });
   }
   move_walls(state, half);
 }

@@ -17,13 +17,14 @@ constexpr double largest_growth = 1.1;
 }  // namespace
 
 void choose_time_step(State& state) {
-  StateExtremes extremes = find_extremes(state.threads, state.particles, state.scaling,
-                                         state.scene.gravity, state.stage.damping);
+  StateExtremes extremes = find_extremes(state.threads, state.particles, state.sleep.awake,
+                                         state.scaling, state.scene.gravity, state.stage.damping);
   if (extremes.bad_slot >= 0) throw SimulationInstability(not_finite(state, extremes.bad_slot));
   join(extremes, *state.reduction);
   auto [dt, limit] = admissible_step(extremes, state.limits.damping_rates, state.smoothing_length,
                                      state.scene.numerics.cfl * state.clock.step_factor);
   StepClock& clock = state.clock;
+  if (!(extremes.signal_speed > 0.0)) dt = clock.growth_base;  // nothing moves that could bound it
   if (clock.growth_base > 0.0 && dt > largest_growth * clock.growth_base) {
     dt = largest_growth * clock.growth_base;
     limit = StepLimit::growth;

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-#include "engine/parallel.hpp"
+#include "engine/particles/each_slot.hpp"
 #include "kernels/pair/term_rows.hpp"
 
 namespace scarp {
@@ -38,7 +38,7 @@ constexpr std::array term_limits = limits_of_terms();
 
 }  // namespace
 
-StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
+StateExtremes find_extremes(int threads, const ParticleBuffers& particles, const SlotRanges& which,
                             const RecordScaling& scaling, const Vec3& gravity, double damping) {
   const int dimension = particles.dimension();
   const double *velocity[3], *acceleration[3];
@@ -47,11 +47,12 @@ StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
   const double* density = particles.component(Field::density);
   const double* approach = particles.component(Field::approach_rate);
   StateExtremes result;
-  for (const ParticleGroup& group : particles.groups()) {
+  for (std::size_t index = 0; index < particles.groups().size(); ++index) {
+    const ParticleGroup& group = particles.groups()[index];
     const double modulus = scaling.wave_modulus[group.material];
     const auto scan = [&](std::int64_t begin, std::int64_t end) {
       StateExtremes e;
-      for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+      for (std::int64_t k = begin; k < end; ++k) {
         double speed = 0.0, force = 0.0;
         for (int a = 0; a < dimension; ++a) {
           const double v = velocity[a][k];
@@ -70,8 +71,8 @@ StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
       }
       return e;
     };
-    const StateExtremes part = parallel_reduce(
-        threads, group.count, particle_chunk, StateExtremes{}, scan,
+    const StateExtremes part = reduce_slots(
+        threads, which, group, index, group.end(), StateExtremes{}, scan,
         [](StateExtremes& total, const StateExtremes& e) {
           total.speed_squared = std::max(total.speed_squared, e.speed_squared);
           total.acceleration_squared = std::max(total.acceleration_squared, e.acceleration_squared);

@@ -7,6 +7,7 @@
 
 #include "engine/integrate/step_report.hpp"
 #include "engine/particles/particle_buffers.hpp"
+#include "engine/particles/slot_ranges.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/step/reduction.hpp"
 #include "engine/sweep/records.hpp"
@@ -24,8 +25,8 @@ struct StateExtremes {
   std::int64_t bad_slot = -1;         ///< a particle with a value that is not finite, or -1
 };
 
-/// Reads velocity, acceleration, density and approach rate of all particles.
-StateExtremes find_extremes(int threads, const ParticleBuffers& particles,
+/// Reads velocity, acceleration, density and approach rate of these particles.
+StateExtremes find_extremes(int threads, const ParticleBuffers& particles, const SlotRanges& which,
                             const RecordScaling& scaling, const Vec3& gravity, double damping);
 
 /// Those of all parts of the soil; `bad_slot` stays this part's own.

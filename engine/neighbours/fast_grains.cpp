@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <typeinfo>
 
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
@@ -59,8 +58,7 @@ bool FastGrains::among(std::int64_t slot, std::int64_t count) const {
 
 FastGrains fast_grains(const State& state) {
   const double dt = state.clock.time_step, half = half_skin(state);
-  const bool whole = typeid(*state.reduction) == typeid(Reduction);
-  if (!whole || dt <= 0.0 || half <= 0.0) return {};
+  if (!is_alone(*state.reduction) || dt <= 0.0 || half <= 0.0) return {};
   const ParticleBuffers& p = state.particles;
   // Those that use their margin up too soon; whoever is faster than the last of them too.
   const double limit = half / (enough_steps * dt);

@@ -31,6 +31,11 @@ void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
     for (std::int64_t k = range.begin; k < range.end; ++k) {
       order[static_cast<std::size_t>(k)] = state.neighbours.cells[Role::owned].order()[next++];
     }
+    if (const double* asleep = state.particles.component(Field::asleep); asleep != nullptr) {
+      // So that few blocks hold both.
+      std::stable_partition(order.begin() + range.begin, order.begin() + range.end,
+                            [asleep](std::int32_t slot) { return asleep[slot] != 0.0; });
+    }
     compact_clusters(state.threads, points_of(state.particles), state.kernels.cluster_size,
                      std::span(order).subspan(static_cast<std::size_t>(range.begin),
                                               static_cast<std::size_t>(range.end - range.begin)));
@@ -137,17 +142,26 @@ void build_lists(State& state) {
 
 namespace {
 
-void pack_as(State& state, StressForm form) {
-  state.neighbours.moved = std::sqrt(state.sweep.records.pack(
-      state.threads, Role::owned, state.particles, state.scaling, state.kernels.slots, form));
+StressForm form_of_forces(const State& state) {
+  return state.kernels.corrects_forces() ? StressForm::corrected : StressForm::plain;
+}
+
+/// Records of soil asleep that nobody awake reads stay as the last sweep of forces had them.
+void pack_as(State& state, StressForm form, bool all) {
+  Sleep& sleep = state.sleep;
+  const bool for_forces = form == form_of_forces(state);
+  sleep.packed_all = all || !sleep.any() || (for_forces && sleep.records_stale);
+  const double square = state.sweep.records.pack(state.threads, Role::owned, state.particles,
+                                                 state.scaling, state.kernels.slots, form,
+                                                 sleep.packed_all ? SlotRanges() : sleep.packed);
+  if (sleep.packed_all) sleep.records_stale = !for_forces;
+  state.neighbours.moved = std::max(std::sqrt(square), sleep.any() ? sleep.moved : 0.0);
 }
 
 }  // namespace
 
-void pack_soil(State& state) { pack_as(state, StressForm::plain); }
-void pack_forces(State& state) {
-  pack_as(state, state.kernels.corrects_forces() ? StressForm::corrected : StressForm::plain);
-}
+void pack_soil(State& state) { pack_as(state, StressForm::plain, false); }
+void pack_forces(State& state) { pack_as(state, form_of_forces(state), false); }
 
 bool lists_are_outdated(const State& state) {
   const Neighbours& neighbours = state.neighbours;
@@ -176,7 +190,9 @@ void rebuild_lists(State& state) {
   build_lists(state);
   mark_built(state.particles);
   neighbours.due = false;
-  pack_as(state, form);
+  state.sleep.moved = 0.0;
+  regroup_sleep(state);
+  pack_as(state, form, true);
 }
 
 void fit_records(State& state) {

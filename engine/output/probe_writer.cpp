@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -45,6 +46,18 @@ Titles probe_titles(const Scene& scene) {
   return titles;
 }
 
+Titles history_titles(const Scene& scene) {
+  Titles titles{"time [s]",           "stage",         "step", "time_step [s]", "limit",
+                "max_velocity [m/s]", "lost_particles"};
+  if (soil_may_sleep(scene)) titles.emplace_back("asleep [-]");
+  return titles;
+}
+
+double share_asleep(const Simulation& simulation) {
+  return static_cast<double>(simulation.asleep_count()) /
+         static_cast<double>(std::max<std::size_t>(1, simulation.soil_count()));
+}
+
 Titles wall_titles(const Scene& scene) {
   Titles titles = moment_titles();
   for (const Wall& wall : scene.walls) {
@@ -60,7 +73,7 @@ struct EnergyColumn {
   const char* name;
   double EnergyBalance::*value;
 };
-constexpr std::array<EnergyColumn, 11> energy_columns{{
+constexpr std::array<EnergyColumn, 12> energy_columns{{
     {"kinetic", &EnergyBalance::kinetic},
     {"potential", &EnergyBalance::potential},
     {"elastic", &EnergyBalance::elastic},
@@ -71,13 +84,20 @@ constexpr std::array<EnergyColumn, 11> energy_columns{{
     {"artificial_stress", &EnergyBalance::artificial_stress},
     {"gradient_residue", &EnergyBalance::gradient_residue},
     {"diffusion", &EnergyBalance::diffusion},
+    {"sleep", &EnergyBalance::sleep},
     {"imbalance", &EnergyBalance::imbalance},
 }};
+
+/// Without soil that may sleep the column is left out.
+bool is_written(const Scene& scene, const EnergyColumn& column) {
+  return column.value != &EnergyBalance::sleep || soil_may_sleep(scene);
+}
 
 Titles energy_titles(const Scene& scene) {
   Titles titles = moment_titles();
   for (const EnergyColumn& column : energy_columns) {
-    titles.push_back(fmt::format("{} [{}]", column.name, scene.dimension == 2 ? "J/m" : "J"));
+    if (is_written(scene, column))
+      titles.push_back(fmt::format("{} [{}]", column.name, scene.dimension == 2 ? "J/m" : "J"));
   }
   return titles;
 }
@@ -103,9 +123,7 @@ ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::pa
 
 ProbeWriter::ProbeWriter(const Simulation& simulation, const std::filesystem::path& folder,
                          const Snapshot* progress, OldTables tables)
-    : history_(table(folder, "history", progress, tables,
-                     {"time [s]", "stage", "step", "time_step [s]", "limit", "max_velocity [m/s]",
-                      "lost_particles"})) {
+    : history_(table(folder, "history", progress, tables, history_titles(simulation.scene()))) {
   const Scene& scene = simulation.scene();
   const auto with = [&](const char* name, const Titles& titles) {
     return table(folder, name, progress, tables, titles);
@@ -135,6 +153,7 @@ void ProbeWriter::write(const Simulation& simulation) {
   history_ << report.time << stage << static_cast<double>(report.step) << report.time_step
            << name_of(report.limit) << report.max_velocity
            << static_cast<double>(simulation.lost_soil().particles);
+  if (soil_may_sleep(scene)) history_ << share_asleep(simulation);
   history_.end_row();
   if (probes_) {
     *probes_ << report.time << stage;
@@ -164,7 +183,9 @@ void ProbeWriter::write(const Simulation& simulation) {
   if (energy_) {
     const EnergyBalance balance = simulation.energy();
     *energy_ << report.time << stage;
-    for (const EnergyColumn& column : energy_columns) *energy_ << balance.*column.value;
+    for (const EnergyColumn& column : energy_columns) {
+      if (is_written(scene, column)) *energy_ << balance.*column.value;
+    }
     energy_->end_row();
   }
 }

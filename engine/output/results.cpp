@@ -120,6 +120,12 @@ std::vector<Measure> basic_measures(const Simulation& simulation) {
     }
     report("largest displacement", largest, "m");
   }
+  if (soil_may_sleep(scene)) {
+    report("asleep",
+           static_cast<double>(simulation.asleep_count()) /
+               static_cast<double>(std::max<std::size_t>(1, simulation.soil_count())),
+           "-");
+  }
   report("residual velocity", simulation.last_step().max_velocity, "m/s");
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   const std::vector<double> density = simulation.field("density"),

@@ -53,10 +53,14 @@ def energy_figure(page, columns, units, picture):
 
 
 def step_figure(page, columns, units, picture):
-    figure, axes = plt.subplots(2, 1, figsize=(9.0, 3.8), sharex=True)
+    sleeps = "asleep" in columns
+    figure, axes = plt.subplots(3 if sleeps else 2, 1, figsize=(9.0, 5.2 if sleeps else 3.8), sharex=True)
     positive = {n: np.where(v > 0, v, np.nan) if isinstance(v, np.ndarray) and n != "time" else v
                 for n, v in columns.items()}
     draw_history(axes[0], (positive, units), ["max_velocity"], log=True)
     draw_history(axes[1], (positive, units), ["time_step"])
+    if sleeps:
+        draw_history(axes[2], (columns, units), ["asleep"])
+        axes[1].set_xlabel("")
     axes[0].set_xlabel("")
-    page.figure(figure, "Fastest particle and time step.", picture)
+    page.figure(figure, "Fastest particle, time step, share of the soil that sleeps." if sleeps else "Fastest particle and time step.", picture)

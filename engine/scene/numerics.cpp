@@ -33,6 +33,10 @@ Numerics preset(const std::string& name) {
   return numerics;
 }
 
+bool soil_may_sleep(const Scene& scene) {
+  return scene.numerics.sleep > 0.0 && scene.gravity != Vec3{};
+}
+
 std::string preset_and_changes(const Numerics& numerics) {
   const Numerics unchanged = preset(numerics.preset);
   std::string text = numerics.preset;

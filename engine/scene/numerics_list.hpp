@@ -149,6 +149,11 @@ inline constexpr NumericsRow numerics_list[] = {
     detail::number<&Numerics::density_maximum>(
         "density_maximum", {1.0, 10.0}, 1.2, "-",
         "bound over the reference density; acts with `gradient_correction`"),
+    detail::number<&Numerics::sleep>(
+        "sleep", {0.0, 1.0}, 0.0, "-",
+        "soil at rest is left out until something near it moves: by how much the force on a "
+        "particle "
+        "asleep may change, over its weight; take 0.02; 0 leaves nothing out"),
     detail::choice<&Numerics::precision>(
         "precision", Precision::real64,
         "of the pair sweep; `mixed` sums pairs in single precision, positions to 2^-19 h, and "

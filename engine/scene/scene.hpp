@@ -70,11 +70,12 @@ struct Numerics {
   double stress_diffusion = 0.15;       ///< cap of the diffusivity in h c [-]; 0 leaves it out
   double diffusion_shear_gate = 150.0;  ///< diffusivity per h^2 |shear rate| [-]
   Integrator integrator = Integrator::kick_drift_kick;
-  int verlet_restart_interval = 40;         ///< M of Eq. 29 [steps]
-  double cfl = 0.8;                         ///< N_CFL of Eq. 30 [-]
-  double skin = 0.15;                       ///< margin of the neighbour lists in h [-]
-  double density_minimum = 0.5;             ///< bound on density over reference density [-]
-  double density_maximum = 1.2;             ///< bound on density over reference density [-]
+  int verlet_restart_interval = 40;  ///< M of Eq. 29 [steps]
+  double cfl = 0.8;                  ///< N_CFL of Eq. 30 [-]
+  double skin = 0.15;                ///< margin of the neighbour lists in h [-]
+  double density_minimum = 0.5;      ///< bound on density over reference density [-]
+  double density_maximum = 1.2;      ///< bound on density over reference density [-]
+  double sleep = 0.0;  ///< change of force, over weight, that wakes soil [-]; 0: none sleeps
   Precision precision = Precision::real64;  ///< of the pair sweep; the state is always double
 };
 
@@ -229,6 +230,9 @@ double k0_of(const Scene& scene, const Material& material);
 /// History variables of the models of a scene, each name once: the fields that they add. Errors:
 /// SceneError for more than a run can hold.
 std::vector<kernels::StateField> history_of(const Scene& scene);
+
+/// Whether soil may fall asleep: asked for, and with gravity, which the bounds are shares of.
+bool soil_may_sleep(const Scene& scene);
 
 /// What a stage divides the strength of a material by.
 double reduction_of(const Stage& stage, const Material& material);

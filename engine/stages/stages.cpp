@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/parallel.hpp"
+#include "engine/particles/each_slot.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
 #include "engine/watch/watch.hpp"
@@ -163,6 +164,8 @@ void enter_stage(State& state) {
   const double fall = std::sqrt(height / std::max(std::hypot(g[0], g[1], g[2]), 1e-12));
   state.stage.rest_window = state.stage.damping > 0.0 ? 4.0 * passage : fall;
   state.stage.start_speed = fastest(state);
+  wake_all(state);
+  set_sleep_bounds(state, height, passage);
   state.clock.restart = true;
   state.clock.growth_base = 0.0;
   state.report.stage_time = 0.0;
@@ -175,7 +178,11 @@ void take_moment(State& state) {
   p.components(Field::moment, moment);
   p.components(Field::force_moment, force_moment);
   for (int c = 0; c < 6; ++c) {
-    if (moment[c] != nullptr) std::copy_n(moment[c], p.slots(), force_moment[c]);
+    if (moment[c] == nullptr) continue;
+    each_slot(state.threads, swept_slots(state), p.slots(),
+              [&, c](std::int64_t begin, std::int64_t end) {
+                std::copy(moment[c] + begin, moment[c] + end, force_moment[c] + begin);
+              });
   }
   if (state.report.step > 0 || !state.start_is_geostatic) return;
   const bool flat = state.scene.dimension == 2;

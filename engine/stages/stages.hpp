@@ -36,9 +36,11 @@ namespace phases {
 
 inline constexpr DataSet reset_fields =
     fields_where([](const FieldRow& field) { return field.reset == Reset::reset; });
-inline constexpr Phase enter_stage{
-    "enter_stage", reset_fields | DataSet(Field::position, Part::walls),
-    reset_fields | DataSet(Part::records, Part::lists, Part::walls), scarp::enter_stage};
+inline constexpr Phase enter_stage{"enter_stage",
+                                   reset_fields | DataSet(Field::position, Part::walls),
+                                   reset_fields | DataSet(Field::asleep, Field::stirred_time,
+                                                          Part::records, Part::lists, Part::walls),
+                                   scarp::enter_stage};
 inline constexpr Phase take_moment{"take_moment",
                                    {Field::stress, Field::moment},
                                    {Field::stress, Field::force_moment},

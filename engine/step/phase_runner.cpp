@@ -57,6 +57,7 @@ double PhaseRunner::run(State& state, PhaseList list, std::vector<double>& secon
 
 void PhaseRunner::step(State& state) {
   if (!state.stage.started || state.stage.ended) run(state, phases_.stage_start, start_seconds_);
+  if (state.sleep.wake_due) wake_all(state);
   const std::uint64_t rebuilds = state.neighbours.rebuilds;
   state.threads = state.team.threads();
   const double seconds = run(state, phases_.step, step_seconds_);
@@ -66,6 +67,7 @@ void PhaseRunner::step(State& state) {
 void PhaseRunner::renew(State& state) const {
   state.clock.restart = true;
   state.changed = ghost_fields;
+  wake_all(state);
   if (!state.stage.started) return;  // the start of the stage does it
   state.stage.start_speed = std::max(state.stage.start_speed, fastest_soil(state));
   std::vector<double> seconds(phases_.renewal.size());

@@ -85,6 +85,7 @@ std::span<double> PhaseView::write(std::string_view field, int component) {
         known.empty() ? "Try another phase." : fmt::format("Try {}.", fmt::join(known, ", "))));
   }
   meter_.before_change(row.field);
+  state_.sleep.wake_due = state_.sleep.wanted();
   return {state_.particles.component(row.field, component),
           static_cast<std::size_t>(state_.particles.slots())};
 }

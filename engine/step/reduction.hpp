@@ -7,6 +7,7 @@
 #include <exception>
 #include <span>
 #include <string_view>
+#include <typeinfo>
 #include <vector>
 
 namespace scarp {
@@ -123,6 +124,9 @@ class InCall {
   Reduction& reduction_;
   int unwinding_ = std::uncaught_exceptions();
 };
+
+/// Whether no program divides the soil: all of it is here.
+inline bool is_alone(const Reduction& reduction) { return typeid(reduction) == typeid(Reduction); }
 
 /// What throws in one part of a soil does not leave the others waiting for it.
 template <class Call>

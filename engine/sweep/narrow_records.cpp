@@ -3,12 +3,13 @@
 #include "engine/sweep/narrow_records.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
-#include "engine/parallel.hpp"
+#include "engine/particles/each_slot.hpp"
 
 namespace scarp {
 
@@ -54,13 +55,21 @@ constexpr double far_steps = 2.0 * position_reach / position_step;
 }  // namespace
 
 PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<double>& view,
-                                           std::int64_t far_record) {
+                                           std::int64_t far_record, std::int64_t owned,
+                                           const SlotRanges& which) {
   const std::int64_t count = far_record + 1;
+  const auto each_range = [&](auto&& convert) {
+    each_slot(threads, which, owned, convert);
+    parallel_chunks(
+        threads, count - owned, particle_chunk,
+        [&](std::int64_t begin, std::int64_t end) { convert(owned + begin, owned + end); });
+  };
   records_.resize(static_cast<std::size_t>(count * record_size));
   const double far_x = view.records[far_record * record_size + record_x];
   // The first record is never padding, and any soil particle serves as origin.
   const double* origin = view.records + record_x;
-  const auto convert = [&](std::int64_t begin, std::int64_t end) {
+  std::atomic<std::int64_t> first_out = none;
+  each_range([&](std::int64_t begin, std::int64_t end) {
     std::int64_t first = none;
     for (std::int64_t k = begin; k < end; ++k) {
       const double* from = view.records + k * record_size;
@@ -75,22 +84,20 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
       for (int slot = record_volume; slot < record_size; ++slot)
         to[slot] = static_cast<float>(from[slot]);
     }
-    return first;
-  };
-  const std::int64_t first =
-      parallel_reduce(threads, count, particle_chunk, none, convert,
-                      [](std::int64_t& all, std::int64_t part) { all = std::min(all, part); });
-  out_of_reach_ = first < none ? std::optional(first) : std::nullopt;
+    std::int64_t before = first_out.load();
+    while (first < before && !first_out.compare_exchange_weak(before, first)) {
+    }
+  });
+  out_of_reach_ = first_out < none ? std::optional(first_out.load()) : std::nullopt;
   PairSweepView<float> out{};
   const auto narrow_lines = [&](const double* from, int size,
                                 AlignedVector<float>& to) -> const float* {
     if (from == nullptr) return nullptr;
     to.resize(static_cast<std::size_t>(count * size));
-    parallel_chunks(threads, count * size, particle_chunk * size,
-                    [&](std::int64_t begin, std::int64_t end) {
-                      for (std::int64_t k = begin; k < end; ++k)
-                        to[static_cast<std::size_t>(k)] = static_cast<float>(from[k]);
-                    });
+    each_range([&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t k = begin * size; k < end * size; ++k)
+        to[static_cast<std::size_t>(k)] = static_cast<float>(from[k]);
+    });
     return to.data();
   };
   out.second = narrow_lines(view.second, second_record_size, second_);

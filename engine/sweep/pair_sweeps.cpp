@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Runs the chosen pair sweep over all clusters, in chunks.
+/// Runs the chosen pair sweep over clusters, in chunks.
 #include "engine/sweep/pair_sweeps.hpp"
 
 #include <cmath>
@@ -16,10 +16,10 @@ namespace scarp {
 namespace {
 
 template <class Real>
-void run(const State& state, kernels::PairSweep<Real> sweep,
+void run(const State& state, kernels::PairSweep<Real> sweep, std::int64_t clusters,
          const kernels::PairSweepView<Real>& view) {
   const std::int64_t chunk = particle_chunk / state.kernels.cluster_size;
-  parallel_chunks(state.threads, std::ssize(state.neighbours.lists.active_clusters()), chunk,
+  parallel_chunks(state.threads, clusters, chunk,
                   [&](std::int64_t begin, std::int64_t end) { sweep(view, begin, end); });
 }
 
@@ -45,17 +45,22 @@ Instability flown_out_of_reach(const State& state, const double* records, std::i
   return found;
 }
 
-void run(const State& state, const SweepKernel& sweep, const kernels::PairSweepView<double>& view,
-         NarrowRecords& narrow_records) {
+void run(const State& state, const SweepKernel& sweep, std::span<const std::int32_t> clusters,
+         kernels::PairSweepView<double> view, NarrowRecords& narrow_records) {
+  view.clusters = clusters.data();
   if (sweep.mixed == nullptr) {
-    run(state, sweep.in_double, view);
+    run(state, sweep.in_double, std::ssize(clusters), view);
     return;
   }
+  // Soil that sleeps and is no neighbour of these clusters may be left as it is.
+  const bool all = clusters.data() == state.neighbours.lists.active_clusters().data();
+  const RecordLayout& layout = state.sweep.records.layout();
   const kernels::PairSweepView<float> narrow =
-      narrow_records.narrow(state.threads, view, state.sweep.records.layout().far_record());
+      narrow_records.narrow(state.threads, view, layout.far_record(), layout[Role::owned].end(),
+                            all ? SlotRanges() : state.sleep.packed);
   if (const auto record = narrow_records.out_of_reach())
     throw SimulationInstability(flown_out_of_reach(state, view.records, *record));
-  run(state, sweep.mixed, narrow);
+  run(state, sweep.mixed, std::ssize(clusters), narrow);
 }
 
 /// Second lines are packed just before the terms that read them are summed; while all are zero, the
@@ -68,7 +73,8 @@ void run_force_sweep(State& state, const ChosenSweep& sweep) {
   if (records.has_second())
     state.boundary.images.pack_second(records, state.kernels.terms, state.scene.dimension);
   records.fill(view, marked);
-  run(state, marked ? sweep.whole : sweep.unmarked, view, state.sweep.narrow_records);
+  run(state, marked ? sweep.whole : sweep.unmarked, swept_clusters(state), view,
+      state.sweep.narrow_records);
 }
 
 }  // namespace
@@ -76,7 +82,6 @@ void run_force_sweep(State& state, const ChosenSweep& sweep) {
 kernels::PairSweepView<double> sweep_input_view(const State& state) {
   kernels::PairSweepView<double> view{};
   state.sweep.records.fill(view, false);
-  view.clusters = state.neighbours.lists.active_clusters().data();
   view.neighbours = state.neighbours.lists.view();
   view.constants = state.sweep.constants;
   view.smoothing_length = state.smoothing_length;
@@ -122,8 +127,11 @@ kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& mode
   return view;
 }
 
+/// Verlet takes the rates of soil that wakes in this very step.
 void sweep_gradient(State& state) {
-  run(state, state.kernels.gradient.whole, sweep_view(state), state.sweep.narrow_records);
+  const bool verlet = state.scene.numerics.integrator == Integrator::verlet;
+  run(state, state.kernels.gradient.whole, verlet ? swept_clusters(state) : awake_clusters(state),
+      sweep_view(state), state.sweep.narrow_records);
 }
 void sweep_force(State& state) { run_force_sweep(state, state.kernels.force); }
 void sweep_all(State& state) {
@@ -135,9 +143,9 @@ void sweep_all(State& state) {
   }
 }
 
-void sweep_force_with(const State& state, const kernels::PairSweepView<double>& view,
-                      NarrowRecords& narrow) {
-  run(state, state.kernels.force.whole, view, narrow);
+void sweep_force_with(const State& state, std::span<const std::int32_t> clusters,
+                      const kernels::PairSweepView<double>& view, NarrowRecords& narrow) {
+  run(state, state.kernels.force.whole, clusters, view, narrow);
 }
 
 }  // namespace scarp

@@ -2,6 +2,9 @@
 /// Pair sweeps of a run: which were chosen, what they read, the phases that run them.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "engine/step/phase.hpp"
 #include "engine/sweep/chosen_kernels.hpp"
 #include "engine/sweep/narrow_records.hpp"
@@ -29,10 +32,10 @@ kernels::PairSweepView<double> sweep_input_view(const State& state);
 kernels::PairSweepView<double> sweep_view(State& state);
 /// ... for the passes of a model.
 kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& model);
-/// Force sweep with other records, constants or outputs than the step's own (reactions, energies).
-/// `narrow` is where mixed precision puts its records.
-void sweep_force_with(const State& state, const kernels::PairSweepView<double>& view,
-                      NarrowRecords& narrow);
+/// Force sweep of these clusters with other records, constants or outputs than the step's own
+/// (reactions, energies). `narrow` is where mixed precision puts its records.
+void sweep_force_with(const State& state, std::span<const std::int32_t> clusters,
+                      const kernels::PairSweepView<double>& view, NarrowRecords& narrow);
 
 namespace phases {
 

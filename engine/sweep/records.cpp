@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/parallel.hpp"
+#include "engine/particles/each_slot.hpp"
 #include "kernels/pair/list.hpp"
 
 namespace scarp {
@@ -49,7 +49,8 @@ void Records::resize(std::int64_t ghosts, std::int64_t images) {
 }
 
 double Records::pack(int threads, Role role, const ParticleBuffers& particles,
-                     const RecordScaling& scaling, SlotSet read, StressForm form) {
+                     const RecordScaling& scaling, SlotSet read, StressForm form,
+                     const SlotRanges& which) {
   const int dimension = particles.dimension();
   const double *position[3], *velocity[3], *built[3], *stress[6], *moment[6], *strain_rate[6];
   particles.components(Field::position, position);
@@ -70,12 +71,13 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
   const std::int64_t first_record = layout_[role].first;
   double* const first = record(first_record);
   double largest = 0.0;
-  for (const ParticleGroup& group : particles.groups()) {
+  for (std::size_t index = 0; index < particles.groups().size(); ++index) {
+    const ParticleGroup& group = particles.groups()[index];
     const double volume_mass = group.mass * scaling.gradient_factor;
     const double modulus = scaling.wave_modulus[group.material];
     const auto pack = [&](std::int64_t begin, std::int64_t end) {
       double farthest = 0.0;
-      for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+      for (std::int64_t k = begin; k < end; ++k) {
         double* r = first + k * record_size;
         double moved = 0.0;
         for (int a = 0; a < dimension; ++a) {
@@ -102,10 +104,10 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
       }
       return farthest;
     };
-    const double moved = parallel_reduce(threads, group.count, particle_chunk, 0.0, pack,
-                                         [](double& total, double part) {
-                                           if (!(part <= total)) total = part;
-                                         });
+    const double moved = reduce_slots(threads, which, group, index, group.end(), 0.0, pack,
+                                      [](double& total, double part) {
+                                        if (!(part <= total)) total = part;
+                                      });
     if (!(moved <= largest)) largest = moved;
   }
   return largest;

@@ -8,6 +8,7 @@
 #include "engine/particles/aligned_vector.hpp"
 #include "engine/particles/particle_buffers.hpp"
 #include "engine/particles/record_layout.hpp"
+#include "engine/particles/slot_ranges.hpp"
 #include "kernels/pair/term.hpp"
 #include "kernels/particle_view.hpp"
 #include "kernels/tensor.hpp"
@@ -44,9 +45,11 @@ class Records {
   /// Writes what `read` names of the records of soil, owned or ghosts, and returns the largest
   /// squared displacement since the lists were built [m2] (0 without build positions). Position,
   /// volume, velocity, density and stress are always written: walls and images read them. In 3D
-  /// part of a corrected stress stands in the second line.
+  /// part of a corrected stress stands in the second line. Other slots than `which` stay as they
+  /// are.
   double pack(int threads, Role role, const ParticleBuffers& particles,
-              const RecordScaling& scaling, kernels::SlotSet read, StressForm form);
+              const RecordScaling& scaling, kernels::SlotSet read, StressForm form,
+              const SlotRanges& which = {});
   /// How the soil was packed last.
   StressForm stress_form() const { return form_; }
   /// T of a record, and another one into it.

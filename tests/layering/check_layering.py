@@ -118,7 +118,7 @@ FLOORS = (
     ("scene/",),
     ("particles/",),
     ("cells/", "step/"),
-    ("neighbours/", "sweep/"),
+    ("neighbours/", "sweep/", "sleep/"),
     ("boundary/",),
     ("integrate/", "energy/", "stages/", "watch/", "features.", "run_options."),
     ("state.",),

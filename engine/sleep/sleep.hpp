@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// Soil asleep: blocks of particles that rest are neither swept nor updated until something near
+/// them moves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/particles/slot_ranges.hpp"
+#include "engine/sleep/block_graph.hpp"
+#include "engine/step/phase.hpp"
+
+namespace scarp {
+
+struct State;
+
+/// What soil that sleeps is to the sweeps: `edge` has neighbours that are awake, so its force is
+/// summed and looked at; `read` is what those sums and the dummies near them read besides.
+enum class Rest : std::uint8_t { awake, edge, read, deep };
+
+/// Bounds of a stage; zero: nothing sleeps in it, nor in a soil that is held in several parts.
+/// Equation: Z1.
+struct SleepBounds {
+  double lasting = 0.0;       ///< mean change of f since soil fell asleep that wakes it [m/s2]
+  double speed = 0.0;         ///< below which soil is calm [m/s]
+  double acceleration = 0.0;  ///< |f + g| below which it is calm [m/s2]
+  double window = 0.0;        ///< time of calm before it falls asleep, and of that mean [s]
+};
+
+struct Sleep {
+  SleepBounds bounds;
+  std::int64_t asleep = 0;    ///< particles
+  double moved = 0.0;         ///< farthest that these had moved since the lists were built [m]
+  double kinetic = 0.0;       ///< energy taken from soil that fell asleep in this stage [J]
+  bool wake_due = false;      ///< everything wakes before the next step
+  bool graph_valid = false;   ///< `graph` is of the lists and walls that stand
+  bool records_stale = true;  ///< some records are not those of the last sweep of forces
+  bool packed_all = true;     ///< records were packed of all soil, not of `packed` alone
+  BlockGraph graph;
+  std::vector<std::uint8_t> rim;    ///< by block: 1 where it is awake and a neighbour sleeps
+  std::vector<Rest> rest;           ///< by block; empty: everything is awake
+  SlotRanges awake, swept, packed;  ///< swept: with the edge; packed: with what is read too
+  std::vector<std::int32_t> awake_clusters, swept_clusters;
+  std::vector<std::int32_t> wall_clusters;  ///< of dummies that the swept soil reads
+
+  bool wanted() const { return bounds.lasting > 0.0; }
+  bool any() const { return asleep > 0; }
+  bool is_awake(std::int64_t slot) const {
+    return !any() || rest[static_cast<std::size_t>(slot / block_size)] == Rest::awake;
+  }
+};
+
+/// Steps between two looks at the edge of what sleeps. Sound goes on by less than half of h in a
+/// step, so between two looks by no more than the reach 2h of a particle, and blocks are wider.
+inline constexpr std::uint64_t steps_per_edge_look = 4;
+
+/// Clusters of soil that are awake, ... with the edge where its force is looked at next, and
+/// clusters of dummies that these read.
+std::span<const std::int32_t> awake_clusters(const State& state);
+std::span<const std::int32_t> swept_clusters(const State& state);
+std::span<const std::int32_t> wall_clusters(const State& state);
+/// The slots of swept_clusters.
+const SlotRanges& swept_slots(const State& state);
+
+/// Bounds of a stage in which the tallest column of soil is `height` [m] and a wave needs `passage`
+/// [s] through it. Soil that settles is a search for balance with all of it: there they are zero.
+void set_sleep_bounds(State& state, double height, double passage);
+/// Everything is awake from now on, and calm no earlier than from now on.
+void wake_all(State& state);
+/// What sleeps, from the field `asleep`, after the lists or that field have been made anew. Blocks
+/// wake of which a particle is awake, and those that a wall drives.
+void regroup_sleep(State& state);
+/// Who is edge, read or deep, after blocks have fallen asleep or woken.
+void classify_sleep(State& state);
+void ensure_block_graph(State& state);
+/// Wakes what is out of balance or has a fast neighbour; now and then looks for what rests.
+void update_sleep(State& state);
+
+namespace phases {
+
+inline constexpr DataSet levels_of_rest{
+    Field::velocity,     Field::previous_velocity, Field::previous_density,  Field::previous_stress,
+    Field::diffusivity,  Field::strain_rate,       Field::approach_rate,     Field::asleep,
+    Field::stirred_time, Field::stirred_history,   Field::rest_acceleration, Field::rest_change};
+inline constexpr Phase update_sleep{
+    "update_sleep",
+    levels_of_rest | DataSet(Field::acceleration, Field::density, Field::stress, Part::history,
+                             Part::lists, Part::walls),
+    levels_of_rest, scarp::update_sleep};
+
+}  // namespace phases
+
+}  // namespace scarp

@@ -151,9 +151,8 @@ inline constexpr NumericsRow numerics_list[] = {
         "bound over the reference density; acts with `gradient_correction`"),
     detail::number<&Numerics::sleep>(
         "sleep", {0.0, 1.0}, 0.0, "-",
-        "soil at rest is left out until something near it moves: by how much the force on a "
-        "particle "
-        "asleep may change, over its weight; take 0.02; 0 leaves nothing out"),
+        "soil at rest is left out until something near it moves; by how much stress may be off at "
+        "worst, over the overburden: take 0.05; 0 leaves nothing out"),
     detail::choice<&Numerics::precision>(
         "precision", Precision::real64,
         "of the pair sweep; `mixed` sums pairs in single precision, positions to 2^-19 h, and "

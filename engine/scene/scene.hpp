@@ -75,7 +75,7 @@ struct Numerics {
   double skin = 0.15;                ///< margin of the neighbour lists in h [-]
   double density_minimum = 0.5;      ///< bound on density over reference density [-]
   double density_maximum = 1.2;      ///< bound on density over reference density [-]
-  double sleep = 0.0;  ///< change of force, over weight, that wakes soil [-]; 0: none sleeps
+  double sleep = 0.0;  ///< error of stress that soil asleep may make, over overburden [-]
   Precision precision = Precision::real64;  ///< of the pair sweep; the state is always double
 };
 

@@ -128,16 +128,20 @@ std::span<const std::int32_t> wall_clusters(const State& state) {
                                           : state.neighbours.wall_lists.active_clusters();
 }
 
+/// What each bound leaves open, over the overburden: the change of the force that soil asleep may
+/// have, the mean force that calm soil may have over the window, and the wave that is stopped.
+constexpr double share_of_each = 1.0 / (1.0 + 4.0 / std::numbers::pi + 2.0 / std::numbers::pi);
+
 void set_sleep_bounds(State& state, double height, double passage) {
   const Vec3& g = state.scene.gravity;
   const Stage& stage = state.scene.stages[state.stage.index];
   Sleep& sleep = state.sleep;
   sleep.kinetic = 0.0;
   sleep.bounds = {};
-  const bool settles = stage.until == StageEnd::rest && stage.reset_after;
+  const bool settles = stage.until == StageEnd::rest && state.stage.damping > 0.0;
   if (settles || !soil_may_sleep(state.scene) || !is_alone(*state.reduction)) return;
   const double sound = height / passage;
-  sleep.bounds.lasting = state.scene.numerics.sleep * std::hypot(g[0], g[1], g[2]);
+  sleep.bounds.lasting = share_of_each * state.scene.numerics.sleep * std::hypot(g[0], g[1], g[2]);
   sleep.bounds.speed = sleep.bounds.lasting * 2.0 * passage / std::numbers::pi;
   sleep.bounds.acceleration = sleep.bounds.speed * sound / state.smoothing_length;
   sleep.bounds.window = passage;

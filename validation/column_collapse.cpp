@@ -66,6 +66,14 @@ double connected_front(const Simulation& now) {
 
 }  // namespace
 
+double viscous_share(const Simulation& simulation) {
+  if (!simulation.scene().output.energy) return 0.0;
+  const EnergyBalance energy = simulation.energy();
+  const double all = energy.plastic + energy.viscous + energy.damping + energy.artificial_stress +
+                     energy.gradient_residue + energy.diffusion;
+  return all > 0.0 ? energy.viscous / all : 0.0;
+}
+
 void set_column(Scene& scene, Column& column) {
   const double width = initial_width(scene), height = column.aspect_ratio * width;
   auto& shape = scene.bodies.front().shape;
@@ -106,6 +114,7 @@ ColumnDeposit collapse_column(CaseRun& run, const std::string& name, Simulation&
   deposit.run_out = end / width - 1.0;
   deposit.advance = (end - before.value_or(0.0)) / width;
   deposit.connected_run_out = connected_front(simulation) / width - 1.0;
+  deposit.viscous_share = viscous_share(simulation);
   deposit.lost = share_through_walls(position, scene.dimension, scene.spacing);
   std::vector<double> x;
   const std::size_t up = scene.dimension == 2 ? 1 : 2;

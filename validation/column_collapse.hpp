@@ -28,7 +28,12 @@ struct ColumnDeposit {
   double connected_run_out = 0.0;  ///< the same to the end of the connected deposit
   double height = 0.0;             ///< at the symmetry plane or axis
   double lost = 0.0;               ///< share of the soil that went through a wall
+  double viscous_share = 0.0;      ///< `viscous_share` of the collapse
 };
+
+/// Share of the artificial viscosity in the energy that a stage has dissipated; 0 where none was,
+/// or where the scene does not sum it.
+double viscous_share(const Simulation& simulation);
 
 /// Fits a scene to a column: the height of its first body (a box, or a height field of constant
 /// height over a radius), its friction angle, and the duration of its last stage, 6 sqrt(H0/g).

@@ -20,10 +20,10 @@ constexpr double shown_aspect = 1.0;       // of the column that leaves frames
 
 void write_deposits(const std::filesystem::path& path, const std::vector<ColumnDeposit>& deposits) {
   CsvFile file(path, {"preset", "dx [m]", "aspect_ratio", "friction_angle [deg]", "run_out",
-                      "connected_run_out", "height"});
+                      "connected_run_out", "height", "viscous_share"});
   for (const ColumnDeposit& one : deposits) {
     file << one.preset << one.spacing << one.column.aspect_ratio << one.column.friction_angle
-         << one.run_out << one.connected_run_out << one.height;
+         << one.run_out << one.connected_run_out << one.height << one.viscous_share;
     file.end_row();
   }
 }
@@ -78,6 +78,16 @@ void judge_end(CaseRun& run, const std::string& who, const std::vector<ColumnDep
                  "at rest: 1 % of the length of the deposit"));
 }
 
+/// Coarse to fine: what the soil itself does not dissipate is an error, which has to go.
+void report_viscous_share(CaseRun& run, const std::string& who,
+                          const std::vector<ColumnDeposit>& deposits) {
+  std::string all;
+  for (const ColumnDeposit& one : deposits)
+    all += fmt::format("{}{:.3g}", all.empty() ? "coarse to fine: " : ", ", one.viscous_share);
+  run.add(reported(who + "share of the artificial viscosity in what the collapse dissipates",
+                   deposits.back().viscous_share, "", all));
+}
+
 void report_change(CaseRun& run, const std::string& who,
                    const std::vector<ColumnDeposit>& deposits) {
   if (deposits.size() < 2) return;
@@ -129,6 +139,7 @@ void judge(CaseRun& run, const std::string& who, const std::vector<ColumnDeposit
   } else {
     run.add(reported(who + "height at the middle over L0", finest.height, ""));
   }
+  report_viscous_share(run, who, series);
   report_change(run, who, series);
 }
 

@@ -261,7 +261,8 @@ std::string sentence(const Scene& scene, const Kind& kind, const Found& found) {
       "{:g} "
       "m{}: a single row of particles cannot shear in itself, and what is thinner than a spacing "
       "may "
-      "vanish. Two to three rows are needed. Try spacing = {:.3g} to {:.3g}, or a thicker one.",
+      "vanish. Two to three rows are needed; a row of weak soil between stronger soil takes the "
+      "row above it too. Try spacing = {:.3g} to {:.3g}, or a thicker one.",
       material, kind.body, place, found.width, scene.spacing, more, found.width / 3.0,
       found.width / wanted);
 }

@@ -11,6 +11,7 @@
 #include "engine/errors.hpp"
 #include "engine/particles/particle_limit.hpp"
 #include "engine/particles/shapes.hpp"
+#include "engine/particles/weak_seams.hpp"
 #include "engine/scene/expression.hpp"
 #include "engine/stop.hpp"
 
@@ -74,6 +75,7 @@ class LatticeFill {
     soil.material.reserve(size);
     soil.velocity.reserve(size);
     for (std::size_t b = 0; b < shapes_.size(); ++b) add(b, soil);
+    widen_weak_seams(scene_, lattice_.origin, soil);
     return soil;
   }
 

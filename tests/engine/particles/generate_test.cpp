@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "engine/errors.hpp"
@@ -286,6 +287,39 @@ TEST(GenerateSoilTest, VelocityFieldIsEvaluatedAtEveryParticle) {
     EXPECT_DOUBLE_EQ(soil.velocity[i][0], -2.0 * 3.14159265358979323846 * at[1]);
     EXPECT_DOUBLE_EQ(soil.velocity[i][1], at[0] * at[0]);
   }
+}
+
+/// Rows of a material in each column along `axis`, sorted, of a seam of one row that is drawn
+/// first.
+std::vector<int> rows_of_seam(double seam_cohesion, const Polygon& seam, std::size_t axis) {
+  Scene scene = scene_of(2, 0.5, {});
+  scene.materials = {
+      {"seam", DruckerPrager{1e7, 0.3, seam_cohesion, 0.2, 0.0, Cone::plane_strain}, 2000.0},
+      {"rock", DruckerPrager{1e7, 0.3, 1e4, 0.5, 0.0, Cone::plane_strain}, 2000.0}};
+  scene.bodies = {{.shape = seam, .material = "seam"},
+                  {.shape = Box{{0, 0, 0}, {10, 10, 0}}, .material = "rock"}};
+  const Particles soil = generate_soil(scene);
+  EXPECT_EQ(soil.position.size(), 400u);
+  std::map<double, int> rows;
+  for (std::size_t k = 0; k < soil.position.size(); ++k)
+    if (soil.material[k] == 0) ++rows[soil.position[k][1 - axis]];
+  std::vector<int> counts;
+  for (const auto& [place, count] : rows) counts.push_back(count);
+  return counts;
+}
+
+TEST(GenerateSoilTest, ASingleRowOfWeakSoilTakesASecondOne) {
+  const Polygon flat{{{0, 5}, {10, 5}, {10, 5.5}, {0, 5.5}}, {}},
+      thick{{{0, 5}, {10, 5}, {10, 6}, {0, 6}}, {}},
+      dipping{{{0, 4}, {10, 6}, {10, 6.5}, {0, 4.5}}, {}},
+      steep{{{5, 0}, {5.5, 0}, {5.5, 10}, {5, 10}}, {}};
+  const std::vector<int> two(20, 2), one(20, 1);
+  EXPECT_EQ(rows_of_seam(0.0, flat, 1), two);
+  EXPECT_EQ(rows_of_seam(0.0, thick, 1), two);
+  EXPECT_EQ(rows_of_seam(0.0, dipping, 1), two);
+  EXPECT_EQ(rows_of_seam(0.0, steep, 0), two);
+  // Neither stronger nor weaker: less friction, more cohesion.
+  EXPECT_EQ(rows_of_seam(2e4, flat, 1), one);
 }
 
 TEST(GenerateSoilTest, VelocityThatIsNotFiniteIsPlaced) {

@@ -89,6 +89,40 @@ TEST(FreeBlockTest, ConservesMomentum) {
   }
 }
 
+/// A strong block on a weak seam (c = 0, phi = 10 deg) slides down a plane of 14.7 deg with
+/// g (sin b - sin phi cos b): without dilation a slip plane mobilises tan phi' = sin phi (Davis
+/// 1968).
+TEST(SeamTest, ABlockSlidesOnASeamOfOneAndOfTwoRows) {
+  const double dx = 0.25, phi = 10.0 * std::numbers::pi / 180.0;
+  for (const double rows : {1.0, 2.0}) {
+    Scene scene;
+    scene.spacing = dx;
+    scene.gravity = {2.5, -9.5, 0.0};
+    scene.materials = {
+        {"seam", DruckerPrager{16e6, 0.3, 0.0, phi, 0.0, Cone::plane_strain}, 2000.0},
+        {"rock", DruckerPrager{16e6, 0.3, 1e5, 0.5, 0.0, Cone::plane_strain}, 2000.0}};
+    scene.bodies = {{.shape = Box{{0, 2, 0}, {10, 2 + rows * dx, 0}}, .material = "seam"},
+                    {.shape = Box{{0, 0, 0}, {10, 4.25, 0}}, .material = "rock"}};
+    scene.walls = {wall_of("base", WallKind::no_slip, {facet_2d(-1, 0, 12, 0)})};
+    scene.initial_stress = InitialStress::geostatic;
+    scene.stages = {stage_for("slide", 1.0)};
+    Simulation simulation(scene, {1, {}});
+    while (!simulation.finished()) simulation.step();
+    const std::vector<double> position = simulation.field("position"),
+                              velocity = simulation.field("velocity");
+    double sum = 0.0, count = 0.0;
+    for (std::size_t k = 0; k < position.size(); k += 3) {
+      if (position[k + 1] < 3.0) continue;
+      sum += velocity[k];
+      ++count;
+    }
+    const double rigid = 2.5 - std::sin(phi) * 9.5;
+    // Two rows, dx/L = 2.5 % of the length, slip without rock above them at one end. One row is
+    // made two by the row above it.
+    EXPECT_NEAR(sum / count / rigid, 1.0, 0.03) << rows;
+  }
+}
+
 TEST(MirrorTest, HalfABodyBehindAFreeSlipPlaneMovesAsTheWhole) {
   const auto scene_of = [](double left, bool mirrored) {
     Scene scene = elastic_column("modern", 1.0, 0.1);

@@ -3,6 +3,7 @@
 #include "engine/checkpoint/state_snapshot.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -57,7 +58,8 @@ void put_dummies(const Snapshot& from, std::string_view name, Walls& walls) {
 }
 
 void take_fields(Snapshot& out, const State& state) {
-  const ParticleBuffers p = whole_soil(state.particles, kept, *state.reduction);
+  const std::optional<ParticleBuffers> whole = whole_soil(state.particles, kept, *state.reduction);
+  const ParticleBuffers& p = whole ? *whole : state.particles;
   const auto slots = static_cast<std::size_t>(p.slots());
   out.add({"particles/id", "", {slots}, p.ids()});
   for (const FieldRow& field : p.rows()) {

@@ -58,8 +58,11 @@ std::vector<double> whole_field(const Readable& own, const FieldRow& field, Redu
   return sorted;
 }
 
-ParticleBuffers whole_soil(const ParticleBuffers& own, bool (*kept)(const FieldRow&),
-                           Reduction& parts) {
+std::optional<ParticleBuffers> whole_soil(const ParticleBuffers& own, bool (*kept)(const FieldRow&),
+                                          Reduction& parts) {
+  const auto count = static_cast<double>(own.count());
+  const bool is_all = parts.sum_of(count) == count;
+  if (parts.minimum_of(is_all ? 1.0 : 0.0) == 1.0) return {};  // all parts take the same way
   std::vector<std::vector<std::int64_t>> others;
   for (const ParticleGroup& group : own.groups()) {
     std::vector<double> ids(own.ids().begin() + group.first, own.ids().begin() + group.end());
@@ -67,9 +70,7 @@ ParticleBuffers whole_soil(const ParticleBuffers& own, bool (*kept)(const FieldR
     others.emplace_back(ids.begin() + group.count, ids.end());
   }
   ParticleBuffers whole = own;
-  const bool alone =
-      std::all_of(others.begin(), others.end(), [](const auto& ids) { return ids.empty(); });
-  if (!alone) whole.exchange({}, others);
+  whole.exchange({}, others);
   for (const FieldRow& field : own.rows()) {
     if (!kept(field)) continue;
     for (int c = 0; c < component_count(field.rank); ++c) {

@@ -138,7 +138,8 @@ void set_sleep_bounds(State& state, double height, double passage) {
   Sleep& sleep = state.sleep;
   sleep.kinetic = 0.0;
   sleep.bounds = {};
-  const bool settles = stage.until == StageEnd::rest && state.stage.damping > 0.0;
+  // Critical damping of the first mode is pi/2 over the passage.
+  const bool settles = stage.until == StageEnd::rest && state.stage.damping * passage > 0.5;
   if (settles || !soil_may_sleep(state.scene) || !is_alone(*state.reduction)) return;
   const double sound = height / passage;
   sleep.bounds.lasting = share_of_each * state.scene.numerics.sleep * std::hypot(g[0], g[1], g[2]);

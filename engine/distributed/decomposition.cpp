@@ -162,8 +162,10 @@ void Decomposition::Box::find_places(const ParticleBuffers& soil) {
 }
 
 Decomposition::Decomposition(MPI_Comm processes, const ParticleBuffers& soil, double halo,
-                             bool rebalance)
-    : box_(std::make_unique<Box>(processes, soil, halo)), rebalance_(rebalance) {}
+                             bool rebalance, int threads)
+    : box_(std::make_unique<Box>(processes, soil, halo)), rebalance_(rebalance) {
+  box_->fix->threads = threads;
+}
 
 Decomposition::~Decomposition() = default;
 

@@ -38,8 +38,9 @@ class Decomposition {
  public:
   /// `soil` is all there is, the same in each process. `halo`: how far from a part ghosts lie [m].
   /// `rebalance`: cut the box anew at each deal. Pre: at least as many particles as processes, ids
-  /// up to `most_particles`.
-  Decomposition(MPI_Comm processes, const ParticleBuffers& soil, double halo, bool rebalance);
+  /// up to `most_particles`. `threads`: of each process, for the values of ghosts.
+  Decomposition(MPI_Comm processes, const ParticleBuffers& soil, double halo, bool rebalance,
+                int threads);
   ~Decomposition();
   Decomposition(const Decomposition&) = delete;
   Decomposition& operator=(const Decomposition&) = delete;

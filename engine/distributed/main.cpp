@@ -109,10 +109,11 @@ void say_how_shared(const Processes& processes, const SoilParts& parts) {
 int run_together(Processes& processes, int argc, char** argv) {
   Arguments arguments;
   if (const auto over = parse(argc, argv, processes.leads(), arguments)) return *over;
-  const auto parts = std::make_shared<SoilParts>(processes, !arguments.cut_once);
   RunOptions& options = arguments.options();
-  options.reduction = parts;
   if (!options.threads) options.threads = 1;
+  const auto parts =
+      std::make_shared<SoilParts>(processes, !arguments.cut_once, std::max(1, *options.threads));
+  options.reduction = parts;
   if (!processes.leads()) {
     catch_interrupts();  // the first process decides whether to stop
     return follow(

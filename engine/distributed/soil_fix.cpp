@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "engine/parallel.hpp"
+
 namespace scarp::distributed {
 
 using LAMMPS_NS::Atom;
@@ -46,24 +48,34 @@ int SoilFix::unpack_exchange(int index, double* buffer) {
 }
 
 int SoilFix::pack_forward_comm(int count, int* list, double* buffer, int, int*) {
-  double* next = buffer;
-  for (int k = 0; k < count; ++k) {
-    // Ghosts are passed on: to those beside a neighbour along another axis.
-    const bool own = list[k] < atom->nlocal;
-    const std::int64_t slot = own ? place[static_cast<std::size_t>(list[k])]
-                                  : ghost_place[static_cast<std::size_t>(list[k] - atom->nlocal)];
-    for (const Column& column : refreshed) *next++ = (own ? column.soil : column.ghost)[slot];
-  }
+  const auto width = static_cast<std::int64_t>(refreshed.size());
+  const auto pack = [&](std::int64_t begin, std::int64_t end) {
+    double* next = buffer + begin * width;
+    for (std::int64_t k = begin; k < end; ++k) {
+      // Ghosts are passed on: to those beside a neighbour along another axis.
+      const bool own = list[k] < atom->nlocal;
+      const std::int64_t slot = own ? place[static_cast<std::size_t>(list[k])]
+                                    : ghost_place[static_cast<std::size_t>(list[k] - atom->nlocal)];
+      for (const Column& column : refreshed) *next++ = (own ? column.soil : column.ghost)[slot];
+    }
+  };
+  parallel_chunks(threads, count, particle_chunk, pack);
   ++messages;
-  values += next - buffer;
-  return static_cast<int>(next - buffer);
+  values += count * width;
+  return static_cast<int>(count * width);
 }
 
 void SoilFix::unpack_forward_comm(int count, int first, double* buffer) {
-  for (int k = first; k < first + count; ++k) {
-    const std::int64_t slot = ghost_place[static_cast<std::size_t>(k - atom->nlocal)];
-    for (const Column& column : refreshed) column.ghost[slot] = *buffer++;
-  }
+  const auto width = static_cast<std::int64_t>(refreshed.size());
+  const auto unpack = [&](std::int64_t begin, std::int64_t end) {
+    const double* next = buffer + begin * width;
+    for (std::int64_t k = begin; k < end; ++k) {
+      const std::int64_t slot =
+          ghost_place[static_cast<std::size_t>(first - atom->nlocal) + static_cast<std::size_t>(k)];
+      for (const Column& column : refreshed) column.ghost[slot] = *next++;
+    }
+  };
+  parallel_chunks(threads, count, particle_chunk, unpack);
 }
 
 }  // namespace scarp::distributed

@@ -31,6 +31,7 @@ class SoilFix : public LAMMPS_NS::Fix {
   std::vector<const double*> carried;     ///< arrays of the soil that a particle takes along
   std::vector<Column> refreshed;          ///< what the ghosts get now
   std::vector<std::int64_t> ghost_place;  ///< slot of each ghost, from the first local index on
+  int threads = 1;                        ///< that copy values of ghosts
   std::int64_t messages = 0, values = 0;  ///< to ghosts elsewhere, so far
 
   int setmask() override { return 0; }

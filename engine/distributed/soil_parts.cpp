@@ -77,8 +77,8 @@ void require_enough(const ParticleBuffers& all, int processes) {
 
 }  // namespace
 
-SoilParts::SoilParts(Processes& processes, bool rebalance)
-    : processes_(processes), rebalance_(rebalance) {}
+SoilParts::SoilParts(Processes& processes, bool rebalance, int threads)
+    : processes_(processes), rebalance_(rebalance), threads_(threads) {}
 
 void SoilParts::throw_failure_of_another() {
   in_call_ = false;
@@ -202,7 +202,7 @@ void SoilParts::divide(ParticleBuffers& soil) {
   meet();
   traffic_before_ = traffic_;
   decomposition_ =
-      std::make_unique<Decomposition>(processes_.communicator(), soil, halo_, rebalance_);
+      std::make_unique<Decomposition>(processes_.communicator(), soil, halo_, rebalance_, threads_);
   decomposition_->divide(soil);
 }
 

@@ -39,7 +39,7 @@ struct Waits {
 /// such a call, all leave it: the others with what that one threw.
 class SoilParts : public Reduction {
  public:
-  SoilParts(Processes& processes, bool rebalance);
+  SoilParts(Processes& processes, bool rebalance, int threads);
 
   void maximum(std::span<double> values) override { join(Processes::Join::maximum, values); }
   void minimum(std::span<double> values) override { join(Processes::Join::minimum, values); }
@@ -78,6 +78,7 @@ class SoilParts : public Reduction {
 
   Processes& processes_;
   bool rebalance_;
+  int threads_;
   bool in_call_ = false;
   bool divided_ = false;  ///< else each process holds all soil
   double halo_ = 0.0;

@@ -9,7 +9,7 @@ import math
 
 CORES = 32                # of a node; as many processes of one thread, or two of sixteen
 STEP = 0.75e-6            # [s] of a particle in 3D on one core, `modern` (bench/README.md)
-GHOST = 0.4e-6            # [s] of a ghost's values in and out of messages and records, by one thread (measured)
+GHOST = 0.4e-6            # [s] of a ghost's values in and out of messages and records, by one thread (measured on one)
 LATENCY = 2.0e-6          # [s] of a message between nodes
 BANDWIDTH = 12.5e9        # [B/s] of a node, into which all ghosts come from others
 JOINS = 5                 # joins of a step: time step (2), lists (2), end of the call
@@ -30,7 +30,7 @@ def step_seconds(particles, nodes, each, halo):
     # A shell comes in three rounds, along each axis from both sides.
     halo_seconds = 2 * 6 * LATENCY + each * count * (FIRST + SECOND) * 8 / BANDWIDTH
     joins = JOINS * LATENCY * math.ceil(math.log2(nodes * each))
-    return n * STEP / threads, count * GHOST, halo_seconds, joins
+    return n * STEP / threads, count * GHOST / threads, halo_seconds, joins
 
 
 def main():

@@ -14,6 +14,15 @@
 namespace scarp {
 namespace {
 
+/// Soil without strength runs out into files of grains; pressed against a smooth wall by half a
+/// spacing these are twice as stiff as the lattice where forces are corrected (THEORY, section 10).
+const char* spreads_thin(const Numerics& n) {
+  const bool stiff = n.gradient_correction && n.force_correction && n.cfl > 0.4;
+  return stiff
+             ? ", and spreads until it is one grain thin, which needs shorter steps. Try cfl = 0.4"
+             : "";
+}
+
 void check_strength(const Scene& scene, const Material& material, std::vector<std::string>& found) {
   const SoilModel& model = material.model;
   if (const auto doubt = model.info().doubt(model.parameters(), scene.dimension)) {
@@ -23,8 +32,8 @@ void check_strength(const Scene& scene, const Material& material, std::vector<st
   const auto strength = model.strength();
   if (strength && strength->cohesion == 0.0 && strength->friction_angle == 0.0) {
     found.push_back(fmt::format(
-        "material '{}': cohesion and friction angle are 0, so it has no strength at all.",
-        material.name));
+        "material '{}': cohesion and friction angle are 0, so it has no strength at all{}.",
+        material.name, spreads_thin(scene.numerics)));
   }
 }
 

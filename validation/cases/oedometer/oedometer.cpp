@@ -136,6 +136,7 @@ void judge(CaseRun& run, const std::string& who, bool normalised,
 Scene square_column(Scene scene) {
   const double width = 4.0 * scene.spacing;
   std::get<Box>(scene.bodies.front().shape).maximum[0] = width;
+  for (Probe& probe : scene.probes) probe.at[0] = 0.5 * width;
   for (Wall& wall : scene.walls) {
     wall.facets = box_facets({{0, 0, 0}, {width, 1.2 * Column(scene).height, 0}}, {"+y"}, 2);
   }

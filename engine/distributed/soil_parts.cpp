@@ -14,6 +14,7 @@
 #include "engine/distributed/failure.hpp"
 #include "engine/errors.hpp"
 #include "engine/neighbours/neighbours.hpp"
+#include "engine/scene/scene.hpp"
 
 namespace scarp::distributed {
 namespace {
@@ -134,6 +135,12 @@ void SoilParts::abort() noexcept {
 }
 
 void SoilParts::begin(const JointCall& call) {
+  if (call.scene != nullptr && processes_.count() > 1 && soil_may_sleep(*call.scene)) {
+    throw SceneError(
+        fmt::format("not offered by scarp-lammps: soil asleep (sleep = {:g} under [numerics]). Try "
+                    "0, or scarp.",
+                    call.scene->numerics.sleep));
+  }
   if (call.member == JointCall::Member::make) divided_ = false;
   if (call.scene != nullptr) halo_ = halo_of(*call.scene);
   if (leads() && processes_.count() > 1 && !in_call_) {

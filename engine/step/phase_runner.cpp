@@ -19,6 +19,15 @@ PhaseRunner::PhaseRunner(Integrator integrator, bool corrects_forces)
       start_seconds_(phases_.stage_start.size()),
       step_seconds_(phases_.step.size()) {}
 
+namespace {
+
+/// A phase that the scene does not ask for changes nothing.
+bool acts(const State& state, const Phase& phase) {
+  return phase.run != scarp::update_sleep || soil_may_sleep(state.scene);
+}
+
+}  // namespace
+
 /// At least 1: what only the start of a stage has.
 double PhaseRunner::times_in_a_step(std::string_view phase) const {
   const auto times = std::count_if(phases_.step.begin(), phases_.step.end(),
@@ -45,7 +54,8 @@ double PhaseRunner::run(State& state, PhaseList list, std::vector<double>& secon
   for (std::size_t k = 0; k < list.size(); ++k) {
     call_hooks(state, list[k], When::before);
     // Lists are built of soil that has been dealt, with ghosts of its own.
-    if (!list[k].writes.has(Part::lists)) state.changed = state.changed | list[k].writes;
+    if (!list[k].writes.has(Part::lists) && acts(state, list[k]))
+      state.changed = state.changed | list[k].writes;
     list[k].run(state);
     call_hooks(state, list[k], When::after);
     const Clock::time_point after = Clock::now();

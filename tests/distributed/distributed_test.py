@@ -352,6 +352,7 @@ class QuickTest(Comparison):
             "RETRY", "0")
         for scene, processes, words in (
                 (scene_of(SLIDE).replace("density = 2000.0", "density = -1"), 2, "key 'material[0].density' = -1"),
+                (scene_of(SLIDE, numerics="sleep = 0.01"), 2, "not offered by scarp-lammps: soil asleep"),
                 (few, 4, "4 processes for 2 particles. Try at most as many processes as particles")):
             with self.subTest(words=words):
                 done = self.call(processes, *self.written(scene), "-o", "bad", "-q")

@@ -1,5 +1,5 @@
-# `cmake --install`: the static library as scarp::engine with its public headers, both programs, and
-# what the programs read at run time under share/scarp.
+# `cmake --install`: the static library as scarp::engine with its public headers, both programs with their man pages and
+# completion, documents, and what the programs read at run time under share/scarp.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -11,8 +11,9 @@ install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -D \"SOURCE=${PROJECT
 install(TARGETS scarp_engine EXPORT scarpTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS scarp RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(TARGET scarp-lammps)
-  install(TARGETS scarp-lammps RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(FILES engine/distributed/COPYING DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME COPYING.scarp-lammps)
+  # A component of its own, which the packages leave out.
+  install(TARGETS scarp-lammps RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT lammps)
+  install(FILES engine/distributed/COPYING DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME COPYING.scarp-lammps COMPONENT lammps)
 endif()
 if(TARGET scarp-validate)
   install(TARGETS scarp-validate RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -31,7 +32,18 @@ if(TARGET scarp-validate)
           validation/column_figures.py validation/slope_figures.py
           DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/validation)
 endif()
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Documents keep their places among each other, so that links between them hold.
+file(GLOB_RECURSE scarp_documents RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
+  engine/*.md engine/*.ipynb kernels/*.md validation/*.md validation/*.png bench/*.md)
+foreach(document IN LISTS scarp_documents ITEMS README.md CHANGELOG.md LICENSE)
+  cmake_path(GET document PARENT_PATH folder)
+  install(FILES ${document} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})
+endforeach()
+configure_file(CITATION.cff ${PROJECT_BINARY_DIR}/CITATION.cff COPYONLY)
+file(APPEND ${PROJECT_BINARY_DIR}/CITATION.cff "version: ${PROJECT_VERSION}\n")
+install(FILES ${PROJECT_BINARY_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(help_pages)
 
 set(scarp_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/scarp)
 install(EXPORT scarpTargets NAMESPACE scarp:: DESTINATION ${scarp_package_dir})
@@ -45,6 +57,8 @@ install(FILES ${PROJECT_BINARY_DIR}/scarpConfig.cmake ${PROJECT_BINARY_DIR}/scar
 
 # Last, where it can be read.
 if(SCARP_BUILD_PYTHON)
-  install(CODE "execute_process(COMMAND \"${Python_EXECUTABLE}\" \"${PROJECT_SOURCE_DIR}/engine/python/say_where.py\"
-    \"\${CMAKE_INSTALL_PREFIX}/${SCARP_PYTHON_DIR}\")")
+  install(CODE "if(NOT DEFINED ENV{DESTDIR} AND NOT CMAKE_INSTALL_PREFIX MATCHES _CPack_Packages)
+  execute_process(COMMAND \"${Python_EXECUTABLE}\" \"${PROJECT_SOURCE_DIR}/engine/python/say_where.py\"
+    \"\${CMAKE_INSTALL_PREFIX}/${SCARP_PYTHON_DIR}\")
+endif()")
 endif()

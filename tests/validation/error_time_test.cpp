@@ -51,7 +51,7 @@ TEST(ErrorTimeAxes, AChangeIsNamedAndApplied) {
   EXPECT_EQ(name_of(setting), "paper with verlet CFL 0.6 and stress_diffusion 0.15");
   const Numerics numerics = numerics_of(setting, preset("paper"));
   EXPECT_EQ(numerics.cfl, 0.6);
-  EXPECT_EQ(numerics.stress_diffusion, 0.1);
+  EXPECT_EQ(numerics.stress_diffusion, 0.15);
   EXPECT_EQ(numerics.smoothing_ratio, preset("paper").smoothing_ratio);
 }
 

@@ -35,6 +35,7 @@ Json json_of(const Point& point) {
           {"smoothing_ratio", point.numerics.smoothing_ratio},
           {"integrator", word(point.numerics.integrator)},
           {"cfl", point.numerics.cfl},
+          {"force_correction", point.numerics.force_correction},
           {"stress_diffusion", point.numerics.stress_diffusion},
           {"precision", word(point.numerics.precision)},
           {"status", word(point.status)},
@@ -93,21 +94,36 @@ Json json_of(const ErrorStudy& study) {
 
 void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
   // CsvFile adds its rows to a file it opens anew, so the table is always that of this study.
-  CsvFile table(path, {"preset",         "smoothing",       "smoothing_ratio [-]",
-                       "integrator",     "cfl [-]",         "stress_diffusion [-]",
-                       "precision",      "spacing [m]",     "status",
-                       "role",           "on_front",        "error [-]",
-                       "wall [s]",       "wall_spread [-]", "repeats",
-                       "cpu [s]",        "particles",       "steps",
-                       "particle_steps", "memory [bytes]"});
+  CsvFile table(path, {"preset",
+                       "smoothing",
+                       "smoothing_ratio [-]",
+                       "integrator",
+                       "cfl [-]",
+                       "force_correction",
+                       "stress_diffusion [-]",
+                       "precision",
+                       "spacing [m]",
+                       "status",
+                       "role",
+                       "on_front",
+                       "error [-]",
+                       "wall [s]",
+                       "wall_spread [-]",
+                       "repeats",
+                       "cpu [s]",
+                       "particles",
+                       "steps",
+                       "particle_steps",
+                       "memory [bytes]"});
   for (const Point& point : study.points) {
     const Numerics& n = point.numerics;
     table << point.trial.setting.preset << word(n.smoothing) << n.smoothing_ratio
-          << word(n.integrator) << n.cfl << n.stress_diffusion << word(n.precision) << point.spacing
-          << word(point.status) << (point.reference ? "reference" : "compared")
-          << (point.on_front ? 1.0 : 0.0) << point.error << point.wall_s << point.spread
-          << static_cast<double>(point.repeats) << point.cpu_s << point.particles << point.steps
-          << point.particle_steps << point.memory_bytes;
+          << word(n.integrator) << n.cfl << (n.force_correction ? 1.0 : 0.0) << n.stress_diffusion
+          << word(n.precision) << point.spacing << word(point.status)
+          << (point.reference ? "reference" : "compared") << (point.on_front ? 1.0 : 0.0)
+          << point.error << point.wall_s << point.spread << static_cast<double>(point.repeats)
+          << point.cpu_s << point.particles << point.steps << point.particle_steps
+          << point.memory_bytes;
     table.end_row();
   }
 }

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The .tar.gz, unpacked where nobody expects it, is complete and runs.
+"""The .tar.gz, unpacked where nobody expects it, is complete and runs; the .deb names what it depends on and follows Debian.
 
-usage: archive_test.py CPACK BUILD_FOLDER VERSION PYTHON_FOLDER; PYTHON_FOLDER is where the module is in the archive, - for none"""
+usage: packages_test.py CPACK BUILD_FOLDER VERSION PYTHON_FOLDER; PYTHON_FOLDER is where the module is in the archive, - for none"""
 import glob
 import os
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -13,14 +14,19 @@ import unittest
 CPACK, BUILD, VERSION, PYTHON_FOLDER = sys.argv[1:5]
 
 
+def package(folder, generator, pattern):
+    """The package that CPack makes in `folder`."""
+    subprocess.run([CPACK, "-G", generator, "-B", folder, "--config", os.path.join(BUILD, "CPackConfig.cmake")],
+                   check=True, stdout=subprocess.DEVNULL)
+    (made,) = glob.glob(os.path.join(folder, pattern))
+    return made
+
+
 class Archive(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.work = tempfile.TemporaryDirectory()
-        made = os.path.join(cls.work.name, "made")
-        subprocess.run([CPACK, "-G", "TGZ", "-B", made, "--config", os.path.join(BUILD, "CPackConfig.cmake")],
-                       check=True, stdout=subprocess.DEVNULL)
-        (archive,) = glob.glob(os.path.join(made, "*.tar.gz"))
+        archive = package(os.path.join(cls.work.name, "made"), "TGZ", "*.tar.gz")
         assert f"scarp-{VERSION}-" in archive, archive
         elsewhere = os.path.join(cls.work.name, "a place with spaces")
         with tarfile.open(archive) as file:
@@ -62,6 +68,29 @@ class Archive(unittest.TestCase):
 
     def test_leaves_out_the_program_under_another_licence(self):
         self.assertFalse(os.path.exists(self.path("bin/scarp-lammps")))
+
+
+@unittest.skipUnless(shutil.which("dpkg-shlibdeps") and shutil.which("file"), "a .deb needs dpkg-dev and file")
+class DebianPackage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            made = package(folder, "DEB", "*.deb")
+            cls.fields = subprocess.run(["dpkg-deb", "--field", made, "Package", "Version", "Depends"], check=True,
+                                        capture_output=True, text=True).stdout
+            cls.contents = subprocess.run(["dpkg-deb", "--contents", made], check=True, capture_output=True, text=True).stdout
+
+    def test_depends_on_what_the_programs_link(self):
+        self.assertIn(f"Package: scarp\nVersion: {VERSION}\n", self.fields)
+        libraries = ["libc6", "libhdf5", "libfmt", "libmuparser", "libgomp1"]
+        for name in libraries + ([] if PYTHON_FOLDER == "-" else ["python3 (<<", "python3-numpy"]):
+            self.assertIn(f" {name}", self.fields.split("Depends:")[1])
+
+    def test_puts_files_where_debian_looks(self):
+        places = ["bin/scarp", "share/man/man1/scarp.1.gz", "share/doc/scarp/copyright", "share/bash-completion/completions/scarp"]
+        for place in places + ([] if PYTHON_FOLDER == "-" else ["lib/python3/dist-packages/scarp/__init__.py"]):
+            self.assertIn(f" ./usr/{place}\n", self.contents)
+        self.assertNotIn("scarp-lammps", self.contents)
 
 
 if __name__ == "__main__":

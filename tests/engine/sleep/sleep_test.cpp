@@ -284,10 +284,10 @@ TEST(SleepTest, WithoutTheKeyNothingIsKept) {
   Scene scene = bed(0.5, 0.1);
   scene.numerics.sleep = 0.0;
   const Simulation simulation = run_steps(scene, 5);
-  EXPECT_THROW(simulation.field("asleep"), Error);
+  EXPECT_THROW((void)simulation.field("asleep"), Error);
   scene.numerics.sleep = 0.03;
   scene.gravity = {0, 0, 0};
-  EXPECT_THROW(run_steps(scene, 5).field("asleep"), Error);
+  EXPECT_THROW((void)run_steps(scene, 5).field("asleep"), Error);
 }
 
 TEST(SleepTest, EnergyClosesWithTheLineOfSleep) {

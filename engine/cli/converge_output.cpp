@@ -16,22 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* word(Trend trend) {
-  switch (trend) {
-    case Trend::equal:
-      return "equal";
-    case Trend::converging:
-      return "converging";
-    case Trend::order_limited:
-      return "order limited";
-    case Trend::not_converging:
-      return "not converging";
-    case Trend::not_monotone:
-      return "not monotone";
-  }
-  return "";
-}
-
 std::string percent(double error) {
   if (!std::isfinite(error)) return "unknown";
   return error > 0.0 && error < 1e-4 ? "< 0.01 %" : fmt::format("{:.2g} %", 100.0 * error);

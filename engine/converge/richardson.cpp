@@ -104,4 +104,20 @@ double forecast_wall(double wall_s, double from, double to, int dimension) {
   return wall_s * std::pow(from / to, dimension + 1);
 }
 
+const char* word(Trend trend) {
+  switch (trend) {
+    case Trend::equal:
+      return "equal";
+    case Trend::converging:
+      return "converging";
+    case Trend::order_limited:
+      return "order limited";
+    case Trend::not_converging:
+      return "not converging";
+    case Trend::not_monotone:
+      return "not monotone";
+  }
+  return "";
+}
+
 }  // namespace scarp

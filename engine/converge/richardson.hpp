@@ -18,6 +18,9 @@ enum class Trend {
   not_monotone,    ///< up and down, or a difference of nothing
 };
 
+/// In words for tables and files: "equal", "converging", "order limited", ...
+const char* word(Trend trend);
+
 /// Orders that are extrapolated with: at most that of the method, at least one that still names an
 /// error (the limits of Oberkampf and Roy 2010).
 inline constexpr double least_order = 0.5, most_order = 2.0;

@@ -23,6 +23,17 @@ struct Grain {
   std::int64_t slot;
 };
 
+/// Leaves the fastest in descending order, at most so many; ties by slot.
+void keep_fastest(std::vector<Grain>& grains, std::int64_t most) {
+  const auto kept = std::min<std::int64_t>(most, std::ssize(grains));
+  std::partial_sort(grains.begin(), grains.begin() + kept, grains.end(),
+                    [](const Grain& a, const Grain& b) {
+                      return a.speed_squared > b.speed_squared ||
+                             (a.speed_squared == b.speed_squared && a.slot < b.slot);
+                    });
+  grains.resize(static_cast<std::size_t>(kept));
+}
+
 double half_skin(const State& state) {
   return 0.5 * state.scene.numerics.skin * state.smoothing_length;
 }
@@ -73,6 +84,7 @@ FastGrains fast_grains(const State& state) {
         const double speed_squared = velocity.squared(k);
         if (speed_squared > limit * limit) found.push_back({speed_squared, k});
       }
+      keep_fastest(found, most + 1);  // and the next one, which is not fast
       return found;
     };
     const std::vector<Grain> of_group =
@@ -83,10 +95,7 @@ FastGrains fast_grains(const State& state) {
     grains.insert(grains.end(), of_group.begin(), of_group.end());
   }
   if (grains.empty()) return {};
-  std::sort(grains.begin(), grains.end(), [](const Grain& a, const Grain& b) {
-    return a.speed_squared > b.speed_squared ||
-           (a.speed_squared == b.speed_squared && a.slot < b.slot);
-  });
+  keep_fastest(grains, most + 1);
   const double fastest = std::sqrt(grains.front().speed_squared);
   const double support = 2.0 * state.smoothing_length;
   const auto room = [&](std::int64_t count) {  // how far they may go at that cost

@@ -66,22 +66,6 @@ py::dict fos(const Scene& scene, const SearchOptions& search, const CriterionOpt
                   {"probe", py::cast(used.probe)}});
 }
 
-const char* word_of(Trend trend) {
-  switch (trend) {
-    case Trend::equal:
-      return "equal";
-    case Trend::converging:
-      return "converging";
-    case Trend::order_limited:
-      return "order limited";
-    case Trend::not_converging:
-      return "not converging";
-    case Trend::not_monotone:
-      return "not monotone";
-  }
-  return "";
-}
-
 SpacingRun run_at(const Scene& scene, const RunOptions& options) {
   Simulation simulation(scene, options);
   SpacingRun done;
@@ -103,7 +87,7 @@ py::list quantities_of(const Study& study) {
     found.append(dict_of({{"name", py::cast(c.quantity.name)},
                           {"unit", py::cast(c.quantity.unit)},
                           {"values", py::cast(values)},
-                          {"trend", py::cast(word_of(c.estimate.trend))},
+                          {"trend", py::cast(word(c.estimate.trend))},
                           {"observed_order", py::cast(c.estimate.observed_order)},
                           {"order", py::cast(c.estimate.order)},
                           {"extrapolated", py::cast(c.estimate.extrapolated)},

@@ -59,7 +59,7 @@ std::vector<UsedFeature> used_features(const State& state) {
        bytes({Field::previous_velocity, Field::previous_density, Field::previous_stress})},
       {"second sweep per step", !verlet, "kick-drift-kick sweeps gradient and force apart"},
       {"walls", state.boundary.walls.count() > 0,
-       fmt::format("{} dummy particles, swept only near soil", state.boundary.walls.count())},
+       fmt::format("{} dummy particles, swept only near soil", state.boundary.walls.dummy_count())},
       {"mirror images",
        state.boundary.images.count() > 0 ||
            std::any_of(state.scene.walls.begin(), state.scene.walls.end(),

@@ -218,7 +218,8 @@ void place_walls(State& state) {
       moved.position[k][a] += state.boundary.offset[moved.wall[k]][a];
   }
   state.boundary.walls =
-      Walls(moved, state.boundary.stands, cell, state.scaling.inverse_smoothing_length);
+      Walls(moved, state.boundary.stands, cell, state.scaling.inverse_smoothing_length,
+            state.particles.largest_spacing());
   state.boundary.placed_offset = state.boundary.built_offset = state.boundary.offset;
   state.sweep.records = Records(state.particles.slots(), state.boundary.walls.slots());
   state.neighbours.valid = false;

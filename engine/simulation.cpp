@@ -163,7 +163,7 @@ bool Simulation::stage_reached_rest() const { return owned(impl_).state.stage.re
 
 std::size_t Simulation::soil_count() const { return owned(impl_).state.soil_count; }
 std::size_t Simulation::wall_count() const {
-  return static_cast<std::size_t>(owned(impl_).state.boundary.walls.count());
+  return static_cast<std::size_t>(owned(impl_).state.boundary.walls.dummy_count());
 }
 
 std::vector<FieldInfo> Simulation::fields() const {
@@ -214,6 +214,7 @@ std::vector<double> Simulation::wall_positions() const {
   const Walls& walls = owned(impl_).state.boundary.walls;
   std::vector<double> out;
   for (std::int64_t k = 0; k < walls.count(); ++k) {
+    if (walls.is_inner(k)) continue;
     for (const double* axis : {walls.points().x, walls.points().y, walls.points().z})
       out.push_back(axis[k]);
   }

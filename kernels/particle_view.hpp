@@ -237,8 +237,12 @@ struct WallSweepView {
   const Real* faces;        ///< dummies x wall_record_size, padding included
   double* velocity[3];      ///< by dummy [m/s]; extrapolation alone
   /// By dummy: stress [Pa]; G_w/sum W in the order of the components of a 3 x 3 matrix, or T in
-  /// the order of `corrected_place`.
+  /// the order of `corrected_place`, without the weight of the soil along the normal.
   double* sums[10];
+  /// By dummy where forces are corrected, 0 without soil in reach: sum W; mean height of the soil
+  /// over the dummy along its normal, in h; and with T the weight of the soil along the normal
+  /// [Pa].
+  double *weight, *height, *overburden;
 };
 
 }  // namespace scarp::kernels

@@ -13,6 +13,8 @@
 #include "engine/boundary/face_grid.hpp"
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/boundary/near_test.hpp"
+#include "engine/boundary/wall_columns.hpp"
+#include "engine/boundary/wall_edges.hpp"
 #include "engine/boundary/wall_surface.hpp"
 #include "engine/errors.hpp"
 #include "engine/particles/particle_limit.hpp"
@@ -32,6 +34,7 @@ struct Face {
   bool no_slip = true;
   bool lasting = true;  ///< neither moves nor goes
   FaceGrid grid;
+  std::vector<std::size_t> column;  ///< in WallDummies::columns, by column of the grid
 };
 
 class DummyLayout {
@@ -58,6 +61,7 @@ class DummyLayout {
       if (!face.no_slip) continue;
       const WalledPart part = walled_part(face.number, surface_, scene, spacing_);
       face.grid = FaceGrid(face.facet, part, dimension_, spacing_, layers_);
+      if (has_wall_columns(scene)) face.column.assign(face.grid.columns(), no_column);
     }
   }
 
@@ -70,7 +74,8 @@ class DummyLayout {
         });
       }
     }
-    mark_edges();
+    out_.near_edge = near_edges(scene_, surface_, out_.position, edges_);
+    add_inner_points(out_, inner_height(scene_));
     return std::move(out_);
   }
 
@@ -203,9 +208,29 @@ class DummyLayout {
     out_.normal.push_back(owner.facet.normal);
     out_.distance.push_back(coordinates(owner.facet, dimension_, point).depth);
     out_.wall.push_back(owner.wall);
+    out_.column.push_back(&owner == &face ? column_of(face, site, corner.dummy) : no_column);
     const bool on_rim = above && face.grid.is_near_end(site, layers_);
-    rim_.push_back(on_rim ? &face.facet : nullptr);
-    if (!above || face.grid.is_near_end(site, 2 * layers_)) near_ends_.push_back(corner.dummy);
+    edges_.rim.push_back(on_rim ? &face.facet : nullptr);
+    if (!above || face.grid.is_near_end(site, 2 * layers_)) edges_.near.push_back(corner.dummy);
+  }
+
+  /// Layers are offered from the face on.
+  std::size_t column_of(Face& face, const Site& site, std::size_t dummy) {
+    if (face.column.empty()) return no_column;
+    std::size_t& column = face.column[face.grid.column(site)];
+    if (site.layer == 0 && sees_inner_point(face, site)) {
+      column = out_.columns.size();
+      out_.columns.push_back({dummy, 0});
+    }
+    return column;
+  }
+  bool sees_inner_point(const Face& face, const Site& site) const {
+    const Vec3 foot = face.grid.position(site, 0.0),
+               inner = face.grid.position(site, -inner_height(scene_));
+    return std::none_of(near_.begin(), near_.end(), [&](const Face* other) {
+      return comes_out(other->facet, dimension_, foot, inner, tolerance_) ||
+             comes_out(other->facet, dimension_, inner, foot, tolerance_);
+    });
   }
 
   /// Among the no-slip facets the point is behind, the nearest plane. So that a removed gate leaves
@@ -228,36 +253,6 @@ class DummyLayout {
     return *owner;
   }
 
-  /// A wall ends where the next place along its face holds no dummy of any wall and is not behind a
-  /// free-slip face either. As many places as there are layers are within reach of the soil there.
-  /// Dummies beyond an edge close a corner.
-  void mark_edges() {
-    NearTest placed(0.75 * spacing_);  // joints of facets shift the columns by up to half a spacing
-    for (const std::size_t k : near_ends_) placed.put(out_.position[k], k);
-    const auto is_behind_smooth = [&](const Vec3& point) {
-      const auto found = surface_.near(point, farthest_, search_);
-      return std::any_of(found.begin(), found.end(), [&](std::uint32_t k) {
-        if (scene_.walls[surface_.wall_of(k)].kind == WallKind::no_slip) return false;
-        const Facet& facet = surface_.facet(k);
-        const FacetCoordinates at = coordinates(facet, dimension_, point);
-        return at.depth > 0.0 && at.depth <= thickness_ && at.above(facet, tolerance_);
-      });
-    };
-    const auto ends = [&](std::size_t k, const Vec3& tangent) {
-      for (std::int64_t step = -layers_; step <= layers_; ++step) {
-        const Vec3 place = plus(out_.position[k], static_cast<double>(step) * spacing_, tangent);
-        if (!placed.has_near(place, out_.position) && !is_behind_smooth(place)) return true;
-      }
-      return false;
-    };
-    for (std::size_t k = 0; k < rim_.size(); ++k) {
-      const Facet* facet = rim_[k];
-      out_.near_edge.push_back(
-          facet != nullptr &&
-          (ends(k, facet->tangent_u) || (dimension_ == 3 && ends(k, facet->tangent_v))));
-    }
-  }
-
   const Scene& scene_;
   int dimension_;
   double spacing_;
@@ -275,8 +270,7 @@ class DummyLayout {
   mutable FacetSearch search_;     ///< scratch
   std::vector<const Face*> near_;  ///< the other faces near the site in question
   WallDummies out_;
-  std::vector<std::size_t> near_ends_;  ///< dummies that `mark_edges` may meet
-  std::vector<const Facet*> rim_;       ///< facet whose rim each of out_ is above, if any
+  EdgeDummies edges_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "engine/boundary/smooth_corner.hpp"
@@ -11,13 +12,23 @@
 
 namespace scarp {
 
+/// The dummies in line behind one place of a face. How their stress varies along the normal is
+/// taken from the soil near the first of them and near an inner point, which is a dummy without a
+/// volume on the soil side of the face.
+struct WallColumn {
+  std::size_t first = 0, inner = 0;
+};
+inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
+
 /// Dummy particles before sorting; all at time 0 (walls not yet moved).
 struct WallDummies {
-  std::vector<Vec3> position;     ///< [m]
-  std::vector<Vec3> normal;       ///< of the wall face it belongs to, towards the soil [-]
-  std::vector<double> distance;   ///< behind that face, > 0 [m]
-  std::vector<std::size_t> wall;  ///< index into Scene::walls
-  std::vector<bool> near_edge;    ///< whether its wall ends within reach of the soil over it
+  std::vector<Vec3> position;       ///< [m]
+  std::vector<Vec3> normal;         ///< of the wall face it belongs to, towards the soil [-]
+  std::vector<double> distance;     ///< behind that face, negative of inner points [m]
+  std::vector<std::size_t> wall;    ///< index into Scene::walls
+  std::vector<bool> near_edge;      ///< whether its wall ends within reach of the soil over it
+  std::vector<std::size_t> column;  ///< index into `columns`, or `no_column`
+  std::vector<WallColumn> columns;  ///< none where forces are not corrected
   std::vector<SmoothCorner> beside_smooth;  ///< those that come and go with a free-slip face
   CornerReach corner_reach;                 ///< of such faces
 };
@@ -38,10 +49,12 @@ int wall_layers(const Scene& scene);
 /// side of another no-slip facet (inside its footprint and within the thickness). Sites in the cell
 /// of one already placed, or closer than half a spacing to it, are dropped; walls that neither move
 /// nor go are placed first. A dummy behind several faces belongs to the nearest plane; one above a
-/// facet asks only facets it is above, and one of a lasting wall only lasting walls. Time and
-/// memory are proportional to the number of sites, and to that of the facets but for a logarithm.
-/// Source: layout after Bui et al. 2008; numerics in kernels/EQUATIONS.md. Errors: SceneError if a
-/// facet is shorter than a spacing or the count exceeds what memory holds.
+/// facet asks only facets it is above, and one of a lasting wall only lasting walls. Where
+/// forces are corrected, the dummies in line behind a facet that belong to it form a column, unless
+/// another facet stands between its face and its inner point. Time and memory are proportional to
+/// the number of sites, and to that of the facets but for a logarithm. Source: layout after Bui et
+/// al. 2008; numerics in kernels/EQUATIONS.md. Errors: SceneError if a facet is shorter than a
+/// spacing or the count exceeds what memory holds.
 WallDummies generate_dummies(const Scene& scene, const std::function<bool()>& stop = {});
 
 }  // namespace scarp

@@ -42,6 +42,12 @@ class FaceGrid {
   }
   Vec3 position(const Site& site, double depth) const;
 
+  /// Number of the column of a site, and how many there are.
+  std::size_t column(const Site& site) const {
+    return index(site) / static_cast<std::size_t>(layers_);
+  }
+  std::size_t columns() const { return kept_.size() / static_cast<std::size_t>(layers_); }
+
   void keep(const Site& site) { kept_[index(site)] = true; }
   /// Whether a point lies in the cell of a site that was kept; seams belong to both cells.
   bool holds(const Vec3& point, double tolerance) const;

@@ -14,7 +14,7 @@ namespace scarp {
 using namespace kernels;
 
 Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size,
-             double inverse_smoothing_length) {
+             double inverse_smoothing_length, double spacing) {
   std::vector<std::size_t> kept;
   AlignedVector<double> axes[3];
   for (std::size_t k = 0; k < dummies.wall.size(); ++k) {
@@ -30,8 +30,8 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     for (std::size_t a = 0; a < 3; ++a) components[a].assign(static_cast<std::size_t>(slots_), 0.0);
   }
   faces_.assign(static_cast<std::size_t>(slots_) * wall_record_size, 0.0);
-  for (auto& component : sums_) component.assign(static_cast<std::size_t>(slots_), 0.0);
-  std::vector<std::size_t> place(dummies.beside_smooth.empty() ? 0 : dummies.wall.size());
+  sums_.resize(slots_);
+  std::vector<std::size_t> place(dummies.wall.size(), no_column);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t source = kept[static_cast<std::size_t>(grid.order()[k])];
     for (std::size_t a = 0; a < 3; ++a) position_[a][k] = dummies.position[source][a];
@@ -41,8 +41,10 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     face[wall_limit] =
         dummies.near_edge[source] ? extrapolation_limit_near_edge : extrapolation_limit;
     wall_.push_back(dummies.wall[source]);
-    if (!place.empty()) place[source] = k;
+    standing_.push_back(dummies.distance[source] > 0.0 ? 1.0 : 0.0);
+    place[source] = k;
   }
+  columns_ = WallColumns(dummies, place, kept.size(), inverse_smoothing_length, spacing);
   corner_reach_ = dummies.corner_reach;
   for (const SmoothCorner& corner : dummies.beside_smooth) {
     if (!stands[dummies.wall[corner.dummy]]) continue;
@@ -60,6 +62,7 @@ void Walls::remember_built() {
 
 void Walls::mark_built() {
   if (have_moved()) remember_built();
+  std::fill(sums_.weight.begin(), sums_.weight.end(), 0.0);
 }
 
 void Walls::move_to(std::span<const double> positions) {
@@ -81,11 +84,12 @@ void Walls::choose_standing(const Scene& scene, const WallSurface& surface,
                             const WallPlacement& walls) {
   if (beside_smooth_.empty()) return;
   FacetSearch search;
-  absent_.assign(wall_.size(), false);
   for (const SmoothCorner& corner : beside_smooth_) {
     const std::size_t k = corner.dummy;
     const Vec3 point{position_[0][k], position_[1][k], position_[2][k]};
-    absent_[k] = !stands_in_corner(scene, surface, corner_reach_, corner, point, walls, search);
+    const bool stands =
+        stands_in_corner(scene, surface, corner_reach_, corner, point, walls, search);
+    standing_[k] = stands ? 1.0 : 0.0;
   }
 }
 
@@ -97,36 +101,43 @@ void Walls::pack(Records& records, std::int64_t dummy, const WallMaterial& mater
     r[record_x + a] = position_[a][k] * material.inverse_smoothing_length;
     r[record_velocity_x + a] = wall_velocity[wall_[k]][a];
   }
-  r[record_volume] = !absent_.empty() && absent_[k] ? 0.0 : material.volume;
+  r[record_volume] = standing_[k] * material.volume;
   r[record_density] = material.density;
   r[record_sound_speed] = material.sound_speed;
 }
 
-void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int dimension) const {
+void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int dimension,
+                     const WallMaterial& material) const {
   const auto k = static_cast<std::size_t>(dummy);
   double* r = records.record(Role::dummy, dummy);
   const auto size = static_cast<std::size_t>(dimension);
   if (what == WallSums::extrapolation) {
     for (std::size_t a = 0; a < size; ++a) r[record_velocity_x + a] = velocity_[a][k];
-    for (std::size_t c = 0; c < (size == 2 ? 4 : 6); ++c) r[record_stress + c] = sums_[c][k];
+    for (std::size_t c = 0; c < (size == 2 ? 4 : 6); ++c) r[record_stress + c] = sums_.sums[c][k];
     return;
   }
   Tensor<double> t{};
   for (int a = 0; a < dimension; ++a) {
     for (int b = 0; b < dimension; ++b) {
       const int sum = what == WallSums::gradient ? 3 * a + b : corrected_place_of(dimension, a, b);
-      t.m[a][b] = sums_[sum][k];
+      t.m[a][b] = sums_.sums[sum][k];
     }
   }
+  const double* normal = faces_.data() + k * wall_record_size + wall_normal_x;
   if (what == WallSums::corrected_stress) {
+    columns_.continue_stress(sums_, k, normal, dimension, t);
     records.put_corrected_stress(records.layout()[Role::dummy].first + dummy, dimension, t);
     return;
   }
+  for (auto& row : t.m) {
+    for (double& value : row) value *= r[record_volume];
+  }
+  columns_.add_gradient(sums_, standing_, k, normal, dimension, material.volume, t);
   for (int a = 0; a < dimension; ++a) {
     for (int b = 0; b < dimension; ++b) {
       const int place =
           dimension == 2 ? wall_gradient_place<2>(a, b) : wall_gradient_place<3>(a, b);
-      r[record_density + place] = r[record_volume] * t.m[a][b];
+      r[record_density + place] = t.m[a][b];
     }
   }
 }
@@ -138,25 +149,35 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
   WallSweepView<double> view = base;
   view.faces = faces_.data();
   for (std::size_t a = 0; a < 3; ++a) view.velocity[a] = velocity_[a].data();
-  for (std::size_t c = 0; c < std::size(sums_); ++c) view.sums[c] = sums_[c].data();
+  for (std::size_t c = 0; c < std::size(sums_.sums); ++c) view.sums[c] = sums_.sums[c].data();
+  view.weight = sums_.weight.data();
+  view.height = sums_.height.data();
+  view.overburden = sums_.overburden.data();
   const auto sweep =
       kernels.wall_sweep[static_cast<std::size_t>(what)][static_cast<std::size_t>(dimension - 2)];
   const std::int64_t size = kernels.cluster_size;
-  const auto run = [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t n = begin; n < end; ++n) {
-      const std::int64_t cluster = clusters[static_cast<std::size_t>(n)];
-      const std::int64_t first = cluster * size, last = std::min(first + size, count());
-      for (std::int64_t k = first; k < last; ++k) pack(records, k, material, wall_velocity);
-      sweep(view, cluster, cluster + 1);
-      for (std::int64_t k = first; k < last; ++k) put_sums(records, k, what, dimension);
-    }
+  const auto each_cluster = [&](const auto& visit) {
+    parallel_chunks(threads, std::ssize(clusters), 64, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t n = begin; n < end; ++n) {
+        const std::int64_t cluster = clusters[static_cast<std::size_t>(n)];
+        visit(cluster, cluster * size, std::min((cluster + 1) * size, count()));
+      }
+    });
   };
-  parallel_chunks(threads, std::ssize(clusters), 64, run);
+  each_cluster([&](std::int64_t cluster, std::int64_t first, std::int64_t last) {
+    for (std::int64_t k = first; k < last; ++k) pack(records, k, material, wall_velocity);
+    sweep(view, cluster, cluster + 1);
+  });
+  // A column takes sums of other clusters.
+  each_cluster([&](std::int64_t, std::int64_t first, std::int64_t last) {
+    for (std::int64_t k = first; k < last; ++k) put_sums(records, k, what, dimension, material);
+  });
 }
 
 std::size_t Walls::bytes() const {
-  return static_cast<std::size_t>(slots_) * (16 + wall_record_size) * sizeof(double) +
-         3 * built_position_[0].size() * sizeof(double) + wall_.size() * sizeof(std::size_t);
+  return static_cast<std::size_t>(slots_) * (6 + wall_record_size) * sizeof(double) +
+         sums_.bytes() + columns_.bytes() + 3 * built_position_[0].size() * sizeof(double) +
+         wall_.size() * sizeof(std::size_t);
 }
 
 }  // namespace scarp

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/boundary/dummies.hpp"
+#include "engine/boundary/wall_columns.hpp"
 #include "engine/boundary/wall_surface.hpp"
 #include "engine/cells/cell_grid.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
@@ -31,19 +32,25 @@ class Walls {
   Walls() = default;
   /// Dummies of the walls that stand, in Morton order.
   Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size,
-        double inverse_smoothing_length);
+        double inverse_smoothing_length, double spacing);
 
+  /// Dummies and inner points.
   std::int64_t count() const { return static_cast<std::int64_t>(wall_.size()); }
   std::int64_t slots() const { return slots_; }
   PointSpan points() const;
   SlotRange range() const { return {0, count()}; }
+  /// Inner points have no volume.
+  bool is_inner(std::int64_t dummy) const {
+    return columns_.is_inner(static_cast<std::size_t>(dummy));
+  }
+  std::int64_t dummy_count() const { return count() - columns_.count(); }
   std::size_t wall_of(std::int64_t dummy) const { return wall_[static_cast<std::size_t>(dummy)]; }
 
   /// Moves the dummies of a wall.
   void move(std::size_t wall, const Vec3& step);
   /// Puts the dummies at x of all, then y, then z.
   void move_to(std::span<const double> positions);
-  /// The lists have been built of the present positions.
+  /// The lists have been built of the present positions; dummies they leave out have no soil.
   void mark_built();
   bool have_moved() const { return !built_position_[0].empty(); }
   const double* position(std::size_t axis) const { return position_[axis].data(); }
@@ -54,8 +61,12 @@ class Walls {
 
   /// Which of the dummies in corners with free-slip faces stand now; when lists are built.
   void choose_standing(const Scene& scene, const WallSurface& surface, const WallPlacement& walls);
+  /// With the clusters of dummies that those in wanted clusters take sums of.
+  void add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const {
+    columns_.add_partners(wanted_clusters, cluster_size);
+  }
   /// Records of the dummies that have soil in reach: position, velocity, and what the wall sweep
-  /// sums of the soil, cluster by cluster. No list names the others. Equation: B1, B2, B5.
+  /// sums of the soil, cluster by cluster. No list names the others. Equation: B1, B2, B5, B6.
   void take_sums(kernels::WallSums what, int threads, const kernels::KernelTable& kernels,
                  int dimension, std::span<const std::int32_t> clusters,
                  const kernels::WallSweepView<double>& base, const WallMaterial& material,
@@ -66,18 +77,20 @@ class Walls {
   void remember_built();
   void pack(Records& records, std::int64_t dummy, const WallMaterial& material,
             const std::vector<Vec3>& wall_velocity) const;
-  void put_sums(Records& records, std::int64_t dummy, kernels::WallSums what, int dimension) const;
+  void put_sums(Records& records, std::int64_t dummy, kernels::WallSums what, int dimension,
+                const WallMaterial& material) const;
 
   std::int64_t slots_ = 0;
   AlignedVector<double> position_[3];
   AlignedVector<double> built_position_[3];  ///< empty until something moves
   AlignedVector<double> velocity_[3];
-  AlignedVector<double> sums_[10];
+  DummySums sums_;
+  WallColumns columns_;
   AlignedVector<double> faces_;  ///< kernels::WallSlot
   std::vector<std::size_t> wall_;
   std::vector<SmoothCorner> beside_smooth_;
   CornerReach corner_reach_;
-  std::vector<bool> absent_;  ///< corners that are open now; empty if there are none
+  std::vector<double> standing_;  ///< 1; 0: inner points, and corners that are open now
 };
 
 }  // namespace scarp

@@ -66,6 +66,12 @@ void build_soil_cells(State& state, const std::vector<SlotRange>& ranges) {
                                             0.5 * list_reach(state));
 }
 
+/// Dummies in reach of a particle take their stress from soil in reach of theirs; an inner point
+/// (B6) takes it from soil that its column sees: half a spacing more for soil at the face.
+double reach_through_walls(const Scene& scene, double reach) {
+  return 2.0 * reach + (has_wall_columns(scene) ? 0.5 * scene.spacing : 0.0);
+}
+
 }  // namespace
 
 void build_lists(State& state) {
@@ -77,9 +83,8 @@ void build_lists(State& state) {
   build_soil_cells(state, ranges);
 
   const int dimension = state.scene.dimension;
-  // Dummies beside a plane need the images their own stress is taken from: twice the reach of the
-  // soil.
-  const double image_reach = state.boundary.walls.count() > 0 ? 2.0 * reach : reach;
+  const double image_reach =
+      state.boundary.walls.count() > 0 ? reach_through_walls(state.scene, reach) : reach;
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
   const std::vector<SlotRange> ghost_ranges = ranges_of(state.ghosts);
   state.boundary.images.select(
@@ -211,8 +216,7 @@ double halo_of(const Scene& scene) {
   const bool any_dummies =
       std::any_of(scene.walls.begin(), scene.walls.end(),
                   [](const Wall& wall) { return wall.kind == WallKind::no_slip; });
-  // Dummies in reach of a particle take their stress from soil in reach of theirs.
-  return any_dummies ? 2.0 * reach : reach;
+  return any_dummies ? reach_through_walls(scene, reach) : reach;
 }
 
 namespace {

@@ -51,13 +51,20 @@ void mark_walls(State& state) {
   Sleep& sleep = state.sleep;
   sleep.wall_clusters.clear();
   const auto active = state.neighbours.wall_lists.active_clusters();
+  const int size = state.kernels.table->cluster_size;
+  std::vector<std::uint8_t> wanted(static_cast<std::size_t>(state.boundary.walls.slots() / size));
   for (std::int64_t k = 0; k < sleep.graph.walls.size(); ++k) {
     const auto near = sleep.graph.walls[k];
-    if (std::none_of(near.begin(), near.end(),
-                     [&](std::int32_t block) { return rest_of(sleep, block) <= Rest::edge; }))
-      continue;
-    sleep.wall_clusters.push_back(active[static_cast<std::size_t>(k)]);
-    for (const std::int32_t block : near) {
+    if (std::any_of(near.begin(), near.end(),
+                    [&](std::int32_t block) { return rest_of(sleep, block) <= Rest::edge; }))
+      wanted[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])] = 1;
+  }
+  state.boundary.walls.add_partners(wanted, size);
+  for (std::int64_t k = 0; k < sleep.graph.walls.size(); ++k) {
+    const std::int32_t cluster = active[static_cast<std::size_t>(k)];
+    if (wanted[static_cast<std::size_t>(cluster)] == 0) continue;
+    sleep.wall_clusters.push_back(cluster);
+    for (const std::int32_t block : sleep.graph.walls[k]) {
       Rest& rest = rest_of(sleep, block);
       rest = std::min(rest, Rest::read);
     }

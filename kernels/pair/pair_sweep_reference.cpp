@@ -202,6 +202,10 @@ std::vector<ReferenceDummy> wall_sweep_reference(const ReferenceParticles& p,
               ? smoothing_slope_reference(s.smoothing, s.dimension, r, s.smoothing_length) /
                     (r * s.lattice_moment)
               : 0.0;
+      const Vector normal = vector_of(p.face[w].normal);
+      const double upright = p.density[j] * vector_of(s.gravity).dot(normal) * distance.dot(normal);
+      dummy.height.add(-weight * distance.dot(normal));
+      dummy.overburden.add(-weight * upright);
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
           // grad_j W_jw points along x_j - x_w.
@@ -223,6 +227,11 @@ std::vector<ReferenceDummy> wall_sweep_reference(const ReferenceParticles& p,
         component.largest *= scale;
       }
     };
+    dummy.weight = weights;
+    for (ReferenceSum* sum : {&dummy.height, &dummy.overburden}) {
+      sum->value *= scale;
+      sum->largest *= scale;
+    }
     divide(dummy.stress);
     divide(dummy.gradient);
     divide(dummy.force_stress);

@@ -84,7 +84,10 @@ struct ReferenceDummy {
   std::array<ReferenceSum, 3> velocity;      ///< [m/s]
   std::array<ReferenceSum, 6> stress;        ///< [Pa]
   std::array<ReferenceSum, 9> gradient;      ///< G_w/sum_k W_wk [m2/s, in 3D m3/s]; B5
-  std::array<ReferenceSum, 9> force_stress;  ///< average of T [Pa]
+  std::array<ReferenceSum, 9> force_stress;  ///< average of T and weight of the soil between [Pa]
+  double weight = 0.0;                       ///< sum_k W_wk [1/m2, in 3D 1/m3]
+  ReferenceSum height;                       ///< of the soil over the dummy along its normal [m]
+  ReferenceSum overburden;                   ///< weight of the soil between, along the normal [Pa]
 };
 
 /// Rates of all soil particles; dummies come with their extrapolated velocity and stress. Equation:

@@ -62,6 +62,12 @@ class DummyCluster {
       out[cluster_ * half + l] =
           has_soil(weights[l]) ? static_cast<double>(sums[l] / weights[l]) : 0.0;
   }
+  /// Writes the sum of the weights; zero without soil in reach.
+  SCARP_INLINE void put_weight(const Real (&weights)[half]) const {
+    for (int l = 0; l < half; ++l)
+      view_.weight[cluster_ * half + l] =
+          has_soil(weights[l]) ? static_cast<double>(weights[l]) : 0.0;
+  }
   std::int64_t first() const { return first_; }
 
  private:
@@ -82,6 +88,12 @@ struct DummyPair {
       offset[a] = position[a] - where(a);
       squared = xsimd::fma(offset[a], offset[a], squared);
     });
+  }
+  /// n.(x_w - x_j), negative below the soil: n points from the wall to it.
+  SCARP_INLINE B depth(const B (&normal)[Dim]) const {
+    B sum(Real(0));
+    unrolled<Dim>([&](auto a) SCARP_LAMBDA { sum = xsimd::fma(offset[a], normal[a], sum); });
+    return sum;
   }
   SCARP_INLINE B along(const Real (&direction)[3]) const {
     B sum(Real(0));
@@ -116,9 +128,7 @@ void extrapolate_dummies(const WallSweepView<Real>& view, std::int64_t cluster) 
         stresses(p + record_stress, r + record_stress),
         more(p + record_stress + 4, r + record_stress + 4);
     const DummyPair<Arch, Real, Dim> pair(position, Quad(p + record_x, r + record_x));
-    B depth(Real(0));
-    unrolled<Dim>([&](auto a)
-                      SCARP_LAMBDA { depth = xsimd::fma(pair.offset[a], normal[a], depth); });
+    const B depth = pair.depth(normal);
     const B weight = smoothing_value(TruncatedPowers(xsimd::sqrt(pair.squared)), view.smoothing);
     const B lithostatic =
         moving(constant<record_density - record_velocity_x>) * pair.along(view.gravity);
@@ -155,18 +165,20 @@ void extrapolate_dummies(const WallSweepView<Real>& view, std::int64_t cluster) 
   for (int c = 0; c < components; ++c) dummies.put_average(view.sums[c], sums[c], weights);
 }
 
-/// Equation: B5; G_w/sum_k W_wk with G_w = sum_j V_j (v_wall - v_j) (x) grad_j W_jw [1/s]; zero
-/// without soil in reach.
+/// Equation: B5; G_w/sum_k W_wk with G_w = sum_j V_j (v_wall - v_j) (x) grad_j W_jw [1/s], and the
+/// mean height of the soil; zero without soil in reach.
 template <class Arch, class Real, int Dim>
 void sum_dummy_gradients(const WallSweepView<Real>& view, std::int64_t cluster) {
   using B = Batch<Real, Arch>;
   const DummyCluster<Arch, Real, Dim> dummies(view, cluster);
   constexpr int half = dummies.half;
   using Quad = RecordQuad<Real, Arch>;
-  B position[Dim], velocity[Dim], weight_sum(Real(0)), sums[Dim * Dim];
+  B position[Dim], velocity[Dim], normal[Dim], weight_sum(Real(0)), height_sum(Real(0)),
+      sums[Dim * Dim];
   for (int a = 0; a < Dim; ++a) {
     position[a] = dummies.record(record_x + a);
     velocity[a] = dummies.record(record_velocity_x + a);
+    normal[a] = dummies.face(wall_normal_x + a);
   }
   for (auto& sum : sums) sum = B(Real(0));
   dummies.each_pair([&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
@@ -177,7 +189,9 @@ void sum_dummy_gradients(const WallSweepView<Real>& view, std::int64_t cluster) 
     const DummyPair<Arch, Real, Dim> pair(position, where);
     const B inverse_distance = inverse_sqrt(pair.squared);
     const TruncatedPowers<B> powers(pair.squared * inverse_distance);
-    weight_sum = weight_sum + smoothing_value(powers, view.smoothing);
+    const B weight = smoothing_value(powers, view.smoothing);
+    weight_sum = weight_sum + weight;
+    height_sum = xsimd::fnma(weight, pair.depth(normal), height_sum);
     // Times x_w - x_j it is minus V_j grad_j W.
     const B slope = where(constant<record_volume - record_x>) *
                     smoothing_slope(powers, view.smoothing) * inverse_distance;
@@ -190,21 +204,29 @@ void sum_dummy_gradients(const WallSweepView<Real>& view, std::int64_t cluster) 
   });
   Real weights[half];
   dummies.fold(weight_sum, weights);
+  dummies.put_weight(weights);
+  dummies.put_average(view.height, height_sum, weights);
   for (int a = 0; a < Dim; ++a) {
     for (int b = 0; b < Dim; ++b)
       dummies.put_average(view.sums[3 * a + b], sums[a * Dim + b], weights);
   }
 }
 
-/// Equation: B2 for T in place of sigma. The records of the soil hold T (K3).
+/// Equation: B2 for T in place of sigma, the weight along the normal apart. The records of the soil
+/// hold T (K3).
 template <class Arch, class Real, int Dim>
 void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t cluster) {
   using B = Batch<Real, Arch>;
   const DummyCluster<Arch, Real, Dim> dummies(view, cluster);
   constexpr int half = dummies.half;
   using Quad = RecordQuad<Real, Arch>;
-  B position[Dim], weight_sum(Real(0)), lithostatic_sum(Real(0)), sums[Dim * Dim];
-  for (int a = 0; a < Dim; ++a) position[a] = dummies.record(record_x + a);
+  B position[Dim], normal[Dim], steepness(Real(0)), weight_sum(Real(0)), height_sum(Real(0)),
+      overburden_sum(Real(0)), lithostatic_sum(Real(0)), sums[Dim * Dim];
+  for (int a = 0; a < Dim; ++a) {
+    position[a] = dummies.record(record_x + a);
+    normal[a] = dummies.face(wall_normal_x + a);
+    steepness = xsimd::fma(normal[a], B(view.gravity[a]), steepness);
+  }
   for (auto& sum : sums) sum = B(Real(0));
   dummies.each_pair([&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
     const Real* p = view.records + std::int64_t{low} * record_size;
@@ -214,9 +236,12 @@ void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t clus
         moving(p + record_velocity_x, r + record_velocity_x);
     const DummyPair<Arch, Real, Dim> pair(position, Quad(p + record_x, r + record_x));
     const B weight = smoothing_value(TruncatedPowers(xsimd::sqrt(pair.squared)), view.smoothing);
+    const B mass = weight * moving(constant<record_density - record_velocity_x>),
+            depth = pair.depth(normal), upright = steepness * depth;
     weight_sum = weight_sum + weight;
-    lithostatic_sum = xsimd::fma(weight * moving(constant<record_density - record_velocity_x>),
-                                 pair.along(view.gravity), lithostatic_sum);
+    height_sum = xsimd::fnma(weight, depth, height_sum);
+    overburden_sum = xsimd::fnma(mass, upright, overburden_sum);
+    lithostatic_sum = xsimd::fma(mass, pair.along(view.gravity) - upright, lithostatic_sum);
     unrolled<Dim>([&](auto a) SCARP_LAMBDA {
       unrolled<Dim>([&](auto b) SCARP_LAMBDA {
         constexpr int place = corrected_place<Dim>(a, b);
@@ -236,6 +261,9 @@ void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t clus
   });
   Real weights[half];
   dummies.fold(weight_sum, weights);
+  dummies.put_weight(weights);
+  dummies.put_average(view.height, height_sum, weights);
+  dummies.put_average(view.overburden, overburden_sum, weights);
   for (int a = 0; a < Dim; ++a) {
     for (int b = 0; b < Dim; ++b) {
       B sum = sums[a * Dim + b];

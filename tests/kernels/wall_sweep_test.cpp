@@ -30,6 +30,7 @@ ReferenceSettings wall_settings(ReferenceSmoothing smoothing, int dimension) {
 struct Swept {
   std::array<std::vector<double>, 3> velocity;
   std::array<std::vector<double>, 10> stress;  ///< or what else is summed
+  std::vector<double> weight, height, overburden;
 };
 
 Swept swept(const KernelTable& table, const ReferenceParticles& p, const ReferenceSettings& s,
@@ -47,6 +48,12 @@ Swept swept(const KernelTable& table, const ReferenceParticles& p, const Referen
   for (std::size_t c = 0; c < out.stress.size(); ++c) {
     out.stress[c].assign(slots, 1.0);
     view.sums[c] = out.stress[c].data();
+  }
+  for (const auto& [values, to] : {std::pair{&out.weight, &view.weight},
+                                   {&out.height, &view.height},
+                                   {&out.overburden, &view.overburden}}) {
+    values->assign(slots, 1.0);
+    *to = values->data();
   }
   table.wall_sweep[static_cast<std::size_t>(what)][static_cast<std::size_t>(s.dimension - 2)](
       view, 0, packed.wall_clusters());
@@ -92,6 +99,13 @@ TEST(WallSweepTest, AgreesWithTheReference) {
         const double unit =
             form_of(smoothing).normalisation(dimension) / std::pow(s.smoothing_length, dimension);
         for (std::size_t w = 0; w < expected.size(); ++w) {
+          const double h = s.smoothing_length;
+          for (const Swept* sums : {&gradient, &stress}) {
+            ASSERT_NEAR(sums->weight[w] * unit, expected[w].weight, 1e-10 * unit);
+            ASSERT_NEAR(sums->height[w] * h, expected[w].height.value, 1e-10 * h);
+          }
+          ASSERT_NEAR(stress.overburden[w], expected[w].overburden.value,
+                      1e-10 * expected[w].overburden.largest);
           for (int a = 0; a < dimension; ++a) {
             for (int b = 0; b < dimension; ++b) {
               const auto c = static_cast<std::size_t>(3 * a + b);
@@ -99,7 +113,8 @@ TEST(WallSweepTest, AgreesWithTheReference) {
               ASSERT_NEAR(gradient.stress[c][w] / unit, expected[w].gradient[c].value,
                           1e-10 * expected[w].gradient[c].largest)
                   << isa_name(isa) << " " << dimension << "D dummy " << w << " component " << c;
-              ASSERT_NEAR(stress.stress[place][w], expected[w].force_stress[c].value,
+              const double overburden = a == b ? stress.overburden[w] : 0.0;
+              ASSERT_NEAR(stress.stress[place][w] + overburden, expected[w].force_stress[c].value,
                           1e-10 * expected[w].force_stress[c].largest)
                   << isa_name(isa) << " " << dimension << "D dummy " << w << " component " << c;
             }

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "engine/checkpoint/scene_text.hpp"
-#include "validation/pressure_noise.hpp"
 #include "validation/stability/map_output.hpp"
 #include "validation/stability/scenes.hpp"
+#include "validation/stress_noise.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -63,9 +63,10 @@ TEST(StabilityMap, TheLogGivesBackWhatWasPutInAndPassesOverBrokenLines) {
   std::filesystem::remove(path);
 }
 
-/// A level bed at its geostatic start, every pressure changed by `change`(place).
+/// A level bed at its geostatic start, every pressure changed by `change`(place), and every shear
+/// stress by `shear` of that.
 template <class Change>
-double noise_of_bed(Change&& change) {
+StressNoise noise_of_bed(Change&& change, double shear = 0.0) {
   const Scene scene = bed_scene("modern", 10, 5, 0.5);
   const Simulation plain(scene, {1, {}});
   const Snapshot before = plain.snapshot();
@@ -76,22 +77,29 @@ double noise_of_bed(Change&& change) {
       auto& s = std::get<std::vector<double>>(item.values);
       const std::size_t slots = item.shape[1];
       for (std::size_t k = 0; k < plain.soil_count(); ++k) {
-        for (std::size_t c = 0; c < 3; ++c) s[c * slots + k] += change(x[k], x[slots + k]);
+        const double stress = change(x[k], x[slots + k]);
+        for (std::size_t c = 0; c < 3; ++c) s[c * slots + k] += stress;
+        s[3 * slots + k] += shear * stress;
       }
     }
     changed.add(std::move(item));
   }
-  return pressure_noise(Simulation(scene, changed, {1, {}}));
+  return stress_noise(Simulation(scene, changed, {1, {}}));
 }
 
-TEST(PressureNoise, IsNothingForALinearFieldAndTheAmplitudeOfStripes) {
-  EXPECT_LT(noise_of_bed([](double, double) { return 0.0; }), 1e-12);
-  EXPECT_LT(noise_of_bed([](double x, double y) { return 3e3 * x - 2e3 * y; }), 1e-12);
+TEST(StressNoise, IsNothingForALinearFieldAndTheAmplitudeOfStripes) {
+  EXPECT_LT(noise_of_bed([](double, double) { return 0.0; }).pressure, 1e-12);
+  const StressNoise smooth =
+      noise_of_bed([](double x, double y) { return 3e3 * x - 2e3 * y; }, 0.5);
+  EXPECT_LT(smooth.pressure, 1e-12);
+  EXPECT_LT(smooth.shear, 1e-12);
   // Stripes of +-1 kPa on 1 MPa, one layer wide. The fit keeps the mean of the layers in reach,
   // which stripes of +1 and -1 leave below a fifth of the amplitude.
-  const double noise = noise_of_bed(
-      [](double, double y) { return -1e6 + (static_cast<int>(y / 0.5) % 2 == 0 ? 1e3 : -1e3); });
-  EXPECT_NEAR(noise, 1e-3, 0.2e-3);
+  const StressNoise striped = noise_of_bed(
+      [](double, double y) { return -1e6 + (static_cast<int>(y / 0.5) % 2 == 0 ? 1e3 : -1e3); },
+      0.5);
+  EXPECT_NEAR(striped.pressure, 1e-3, 0.2e-3);
+  EXPECT_NEAR(striped.shear, 0.5e-3, 0.1e-3);
 }
 
 }  // namespace

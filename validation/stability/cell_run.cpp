@@ -15,7 +15,7 @@
 #include "engine/errors.hpp"
 #include "engine/setup.hpp"
 #include "engine/watch/watch.hpp"
-#include "validation/pressure_noise.hpp"
+#include "validation/stress_noise.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -169,7 +169,9 @@ void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& re
   record.steps = static_cast<double>(simulation.last_step().step);
   record.residual_velocity = simulation.last_step().max_velocity;
   record.lost = grains_behind_faces(simulation);
-  record.noise = pressure_noise(simulation);
+  const StressNoise noise = stress_noise(simulation);
+  record.noise = noise.pressure;
+  record.shear_noise = noise.shear;
   record.limit = most_frequent(simulation.step_limit_counts());
   if (record.verdict == Verdict::stopped) return;
   const auto& position = simulation.field("position");

@@ -28,7 +28,8 @@ struct CellRecord {
   double density_low = 1.0, density_high = 1.0;  ///< over the reference density
   double yield_overshoot = 0.0;                  ///< largest f over the strength at that pressure
   double lost = 0.0;                             ///< grains behind faces
-  double noise = 0.0;                            ///< of the pressure at the end, `pressure_noise`
+  double noise = 0.0;                            ///< of the pressure at the end, `stress_noise`
+  double shear_noise = 0.0;                      ///< of the shear stress
   double residual_velocity = 0.0;                ///< fastest grain at the end [m/s]
   double particles = 0.0, steps = 0.0, wall_s = 0.0;
 };

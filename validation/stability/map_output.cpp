@@ -47,6 +47,7 @@ void write_csv(const std::filesystem::path& path, const std::vector<CellOutcome>
                        "yield_overshoot [-]",
                        "lost",
                        "noise [-]",
+                       "shear_noise [-]",
                        "residual_velocity [m/s]",
                        "particles",
                        "steps",
@@ -60,7 +61,8 @@ void write_csv(const std::filesystem::path& path, const std::vector<CellOutcome>
           << word(cell.scene.numerics.precision) << word(r.verdict) << cell.scene.numerics.cfl
           << r.stable_cfl.value_or(none) << r.unstable_cfl.value_or(none) << r.limit
           << r.energy_gain << r.density_low << r.density_high << r.yield_overshoot << r.lost
-          << r.noise << r.residual_velocity << r.particles << r.steps << r.wall_s << r.reason;
+          << r.noise << r.shear_noise << r.residual_velocity << r.particles << r.steps << r.wall_s
+          << r.reason;
     table.end_row();
   }
 }
@@ -86,6 +88,7 @@ Json json_of(const CellRecord& r) {
           {"yield_overshoot", r.yield_overshoot},
           {"lost", r.lost},
           {"noise", r.noise},
+          {"shear_noise", r.shear_noise},
           {"residual_velocity", r.residual_velocity},
           {"particles", r.particles},
           {"steps", r.steps},
@@ -109,6 +112,7 @@ bool read(const Json& json, CellRecord& r) {
   r.yield_overshoot = number_or_nan(json.at("yield_overshoot"));
   r.lost = number_or_nan(json.at("lost"));
   r.noise = number_or_nan(json.at("noise"));
+  r.shear_noise = number_or_nan(json.at("shear_noise"));
   r.residual_velocity = number_or_nan(json.at("residual_velocity"));
   r.particles = number_or_nan(json.at("particles"));
   r.steps = number_or_nan(json.at("steps"));
@@ -145,11 +149,12 @@ std::vector<std::string> map_sentences(const std::vector<CellOutcome>& outcomes)
   for (const CellOutcome& one : outcomes) {
     if (one.cell.group != "noise") continue;
     std::string& series = noise[fmt::format("{}, {}", one.cell.axis, setting_of(one.cell))];
-    series += fmt::format("{}{} at {}", series.empty() ? "" : ", ",
-                          fmt::format("{:.3g}", one.record.noise), one.cell.value);
+    series += fmt::format("{}{:.3g} and {:.3g} at {}", series.empty() ? "" : ", ", one.record.noise,
+                          one.record.shear_noise, one.cell.value);
   }
   for (const auto& [name, series] : noise)
-    lines.push_back(fmt::format("Noise of the pressure, {}: {}.", name, series));
+    lines.push_back(
+        fmt::format("Noise of the pressure and of the shear stress, {}: {}.", name, series));
   std::string better, worse;
   for (const auto& [cell, verdicts] : by_cell) {
     const auto modern = verdicts.find("modern"), paper = verdicts.find("paper");

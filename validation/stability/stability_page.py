@@ -29,7 +29,7 @@ def _rounded(value):
 def _mark(cell):
     """Margin over the CFL number in use where one was looked for, or the noise."""
     if cell["group"] == "noise" and cell["verdict"] == "holds":
-        return f"noise {_rounded(cell['noise'])}"
+        return f"noise {_rounded(cell['noise'])}, {_rounded(cell['shear_noise'])}"
     if cell["stable_cfl"] is None:
         return ""
     more = ">" if cell["unstable_cfl"] is None else ""
@@ -84,12 +84,13 @@ def stability_page(folder):
     page.figure(map_figure(cells), "Verdict of each cell, and its margin.", folder / "map.png")
     page.section("Every cell")
     page.table(["axis", "value", "preset", "verdict", "CFL in use", "stable to", "unstable from", "set by",
-                "energy gain", "density, least", "density, most", "beyond yield", "lost", "noise", "speed at the end [m/s]",
+                "energy gain", "density, least", "density, most", "beyond yield", "lost", "noise", "of the shear",
+                "speed at the end [m/s]",
                 "particles", "steps", "run time [s]"],
                [[c["axis"], c["value"], _setting(c), c["verdict"], c["cfl"], _rounded(c["stable_cfl"]),
                  _rounded(c["unstable_cfl"]), c["limit"], _rounded(c["energy_gain"]), _rounded(c["density_low"]),
                  _rounded(c["density_high"]), _rounded(c["yield_overshoot"]), c["lost"], _rounded(c["noise"]),
-                 _rounded(c["residual_velocity"]), c["particles"], c["steps"], _rounded(c["wall_s"])] for c in cells])
+                 _rounded(c["shear_noise"]), _rounded(c["residual_velocity"]), c["particles"], c["steps"], _rounded(c["wall_s"])] for c in cells])
     page.section("Machine, versions")
     page.table(["processor", "instruction set", "threads", "scarp", "compiler"],
                [[study["machine"]["processor"], study["isa"], study["threads"], study["versions"]["scarp"],

@@ -16,12 +16,13 @@ namespace scarp::test {
 
 using Points2 = std::vector<std::array<double, 2>>;
 
-/// Spacing 0.5 m and h = 1.5 dx: three layers, 1.5 m thick.
+/// Spacing 0.5 m and h = 1.5 dx: three layers, 1.5 m thick; without inner points.
 inline Scene empty_scene(int dimension) {
   Scene scene;
   scene.dimension = dimension;
   scene.spacing = 0.5;
   scene.numerics.smoothing_ratio = 1.5;
+  scene.numerics.force_correction = false;
   scene.materials = {{.name = "soil"}};
   return scene;
 }

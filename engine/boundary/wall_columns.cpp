@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// How the stress of dummies varies along the normal of their wall.
+#include "engine/boundary/wall_columns.hpp"
+
+#include <algorithm>
+
+#include "engine/boundary/facet_geometry.hpp"
+#include "kernels/pair/force_correction.hpp"
+
+namespace scarp {
+
+using namespace kernels;
+
+namespace {
+
+/// Heights between which the slope of the stress is trusted, in spacings: of two rows of soil 0.9,
+/// of three 1.4, of more 1.5.
+constexpr double no_trust = 1.0, full_trust = 1.3;
+
+}  // namespace
+
+bool has_wall_columns(const Scene& scene) {
+  return scene.numerics.gradient_correction && scene.numerics.force_correction;
+}
+
+double inner_height(const Scene& scene) { return 2.0 * scene.spacing; }
+
+void add_inner_points(WallDummies& dummies, double height) {
+  for (std::size_t c = 0; c < dummies.columns.size(); ++c) {
+    WallColumn& column = dummies.columns[c];
+    const Vec3 normal = dummies.normal[column.first];
+    const double away = dummies.distance[column.first] + height;
+    column.inner = dummies.position.size();
+    dummies.position.push_back(geometry::plus(dummies.position[column.first], away, normal));
+    dummies.normal.push_back(normal);
+    dummies.distance.push_back(-height);
+    dummies.wall.push_back(dummies.wall[column.first]);
+    dummies.column.push_back(c);
+    dummies.near_edge.push_back(false);
+  }
+}
+
+void DummySums::resize(std::int64_t slots) {
+  for (auto& component : sums) component.assign(static_cast<std::size_t>(slots), 0.0);
+  for (auto* more : {&weight, &height, &overburden})
+    more->assign(static_cast<std::size_t>(slots), 0.0);
+}
+
+std::size_t DummySums::bytes() const {
+  return (10 * sums[0].size() + 3 * weight.size()) * sizeof(double);
+}
+
+WallColumns::WallColumns(const WallDummies& dummies, std::span<const std::size_t> place,
+                         std::size_t standing, double inverse_smoothing_length, double spacing)
+    : spacing_(spacing * inverse_smoothing_length) {
+  std::vector<std::size_t> number(dummies.columns.size(), no_column);
+  for (std::size_t c = 0; c < dummies.columns.size(); ++c) {
+    const WallColumn& column = dummies.columns[c];
+    if (place[column.first] == no_column) continue;
+    number[c] = columns_.size();
+    columns_.push_back({place[column.first], place[column.inner], 0, 0});
+  }
+  if (columns_.empty()) return;
+  column_of_.assign(standing, no_column);
+  distance_.assign(standing, 0.0);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;  // column and member
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    if (place[k] == no_column) continue;
+    distance_[place[k]] = dummies.distance[k] * inverse_smoothing_length;
+    if (dummies.column[k] == no_column) continue;
+    const std::size_t column = number[dummies.column[k]];
+    column_of_[place[k]] = column;
+    if (place[k] != columns_[column].inner) pairs.emplace_back(column, place[k]);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [column, member] : pairs) {
+    if (columns_[column].end == 0) columns_[column].begin = members_.size();
+    members_.push_back(member);
+    columns_[column].end = members_.size();
+  }
+}
+
+double WallColumns::rise(const DummySums& sums, const Column& column) const {
+  const auto height = [&](std::size_t k) { return sums.height[k] - distance_[k]; };
+  return height(column.inner) - height(column.first);
+}
+
+double WallColumns::inverse_lever(const DummySums& sums, const Column& column) const {
+  if (sums.weight[column.first] == 0.0 || sums.weight[column.inner] == 0.0) return 0.0;
+  const double lever = rise(sums, column);
+  const double x = std::clamp((lever / spacing_ - no_trust) / (full_trust - no_trust), 0.0, 1.0);
+  return x > 0.0 ? x * x * (3.0 - 2.0 * x) / lever : 0.0;
+}
+
+void WallColumns::continue_stress(const DummySums& sums, std::size_t dummy, const double* normal,
+                                  int dimension, Tensor<double>& stress) const {
+  const double weight = sums.overburden[dummy];
+  const auto size = static_cast<std::size_t>(dimension);
+  for (std::size_t a = 0; a < size; ++a) stress.m[a][a] += weight;
+  if (!any() || column_of_[dummy] == no_column) return;
+  const Column& column = columns_[column_of_[dummy]];
+  const double per_lever = inverse_lever(sums, column);
+  if (per_lever == 0.0) return;
+  const double lever = rise(sums, column), height = sums.height[dummy];
+  for (std::size_t a = 0; a < size; ++a) {
+    double difference = 0.0;
+    for (std::size_t b = 0; b < size; ++b) {
+      const auto& sum =
+          sums.sums[corrected_place_of(dimension, static_cast<int>(a), static_cast<int>(b))];
+      difference += (sum[column.inner] - sum[column.first]) * normal[b];
+    }
+    const double change = -per_lever * (height * difference + lever * weight * normal[a]);
+    for (std::size_t b = 0; b < size; ++b) stress.m[a][b] += change * normal[b];
+  }
+}
+
+void WallColumns::add_gradient(const DummySums& sums, std::span<const double> standing,
+                               std::size_t dummy, const double* normal, int dimension,
+                               double volume, Tensor<double>& gradient) const {
+  if (!any() || column_of_[dummy] == no_column) return;
+  const Column& column = columns_[column_of_[dummy]];
+  if (dummy != column.first && dummy != column.inner) return;
+  const double per_lever = inverse_lever(sums, column);
+  if (per_lever == 0.0) return;
+  const double scale =
+      volume * (dummy == column.first ? per_lever : -per_lever) / sums.weight[dummy];
+  const auto size = static_cast<std::size_t>(dimension);
+  for (std::size_t a = 0; a < size; ++a) {
+    double moment = 0.0;
+    for (std::size_t m = column.begin; m < column.end; ++m) {
+      const std::size_t k = members_[m];
+      double along = 0.0;
+      for (std::size_t b = 0; b < size; ++b) along += sums.sums[3 * a + b][k] * normal[b];
+      moment += standing[k] * sums.weight[k] * sums.height[k] * along;
+    }
+    for (std::size_t b = 0; b < size; ++b) gradient.m[a][b] += scale * moment * normal[b];
+  }
+}
+
+void WallColumns::add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const {
+  const std::vector<std::uint8_t> asked = wanted_clusters;
+  const auto cluster = [&](std::size_t dummy) {
+    return dummy / static_cast<std::size_t>(cluster_size);
+  };
+  for (const Column& column : columns_) {
+    const auto each = [&](const auto& visit) {
+      visit(column.inner);
+      for (std::size_t m = column.begin; m < column.end; ++m) visit(members_[m]);
+    };
+    bool any_wanted = false;
+    each([&](std::size_t k) { any_wanted = any_wanted || asked[cluster(k)] != 0; });
+    if (any_wanted) each([&](std::size_t k) { wanted_clusters[cluster(k)] = 1; });
+  }
+}
+
+std::size_t WallColumns::bytes() const {
+  return columns_.size() * sizeof(Column) +
+         (members_.size() + column_of_.size() + distance_.size()) * sizeof(double);
+}
+
+}  // namespace scarp

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// How the stress of dummies varies along the normal of their wall.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/boundary/dummies.hpp"
+#include "engine/particles/aligned_vector.hpp"
+#include "engine/scene/scene.hpp"
+#include "kernels/tensor.hpp"
+
+namespace scarp {
+
+/// Whether dummies have columns: where forces are corrected.
+bool has_wall_columns(const Scene& scene);
+/// Of an inner point from its face: there it sees two rows of soil on either side [m].
+double inner_height(const Scene& scene);
+/// One for each column; the positions of the dummies are those as generated.
+void add_inner_points(WallDummies& dummies, double height);
+
+/// What the wall sweep sums for each dummy, in Morton order: see `kernels::WallSweepView`.
+struct DummySums {
+  AlignedVector<double> sums[10];
+  AlignedVector<double> weight, height, overburden;  ///< where forces are corrected
+
+  void resize(std::int64_t slots);
+  std::size_t bytes() const;
+};
+
+/// A dummy at the distance d behind its face continues what its average, at the height z over the
+/// face, lacks: with the stress A n near the first dummy of its column (z_1) and near the inner
+/// point (z_2), T_w = A + p I - (s (d + z)(A_2 - A_1) n/(z_2 - z_1) + s p n) (x) n, p the weight
+/// of the soil along the normal. s goes from 0 to 1 as z_2 - z_1 grows from 1 to 1.3 dx: soil of
+/// one or two rows has no slope that could be trusted. Equation: B6.
+class WallColumns {
+ public:
+  WallColumns() = default;
+  /// `place[k]` is where dummy k of `dummies` stands in Morton order; `no_column` if it does not.
+  WallColumns(const WallDummies& dummies, std::span<const std::size_t> place, std::size_t standing,
+              double inverse_smoothing_length, double spacing);
+
+  bool any() const { return !columns_.empty(); }
+  std::int64_t count() const { return static_cast<std::int64_t>(columns_.size()); }
+  bool is_inner(std::size_t dummy) const { return any() && distance_[dummy] < 0.0; }
+  /// Completes the averaged stress of a dummy.
+  void continue_stress(const DummySums& sums, std::size_t dummy, const double* normal,
+                       int dimension, kernels::Tensor<double>& stress) const;
+  /// Adds to H_w of a first dummy or inner point what its column takes of the soil near it, the
+  /// transpose of `continue_stress`. All dummies that stand have one volume.
+  void add_gradient(const DummySums& sums, std::span<const double> standing, std::size_t dummy,
+                    const double* normal, int dimension, double volume,
+                    kernels::Tensor<double>& gradient) const;
+  /// Clusters that hold part of a column of which another part is in a wanted cluster.
+  void add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const;
+  std::size_t bytes() const;
+
+ private:
+  struct Column {
+    std::size_t first, inner;
+    std::size_t begin, end;  ///< in `members_`, without the inner point
+  };
+  double rise(const DummySums& sums, const Column& column) const;  ///< z_2 - z_1 [h]
+  /// s/(z_2 - z_1); 0 without enough soil [1/h].
+  double inverse_lever(const DummySums& sums, const Column& column) const;
+
+  std::vector<Column> columns_;
+  std::vector<std::size_t> members_;
+  std::vector<std::size_t> column_of_;  ///< by dummy
+  std::vector<double> distance_;        ///< by dummy, behind its face [h]
+  double spacing_ = 0.0;                ///< [h]
+};
+
+}  // namespace scarp

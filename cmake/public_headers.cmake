@@ -11,6 +11,7 @@ set(scarp_public_headers
   engine/energy/energy_balance.hpp
   engine/errors.hpp
   engine/features.hpp
+  engine/fos/cut.hpp
   engine/fos/limit_search.hpp
   engine/fos/strength_reduction.hpp
   engine/integrate/step_report.hpp

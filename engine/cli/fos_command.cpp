@@ -144,9 +144,9 @@ int search_in(const fs::path& folder, const Scene& scene, const FosArguments& ar
     const std::optional<double> fails = report.found.bracket.fails;
     const bool shown = fails && record.failure_run == fails && run_is_finished(folder / "failure");
     if (fails && !shown) {
-      run_failure(slope, *fails, folder / "failure", std::ref(progress));
+      const bool whole = run_failure(slope, *fails, folder / "failure", std::ref(progress));
       progress.end();
-      record.failure_run = fails;
+      if (whole) record.failure_run = fails;
     }
   } catch (const SceneError&) {  // nothing to go on with
     end_search();

@@ -37,7 +37,7 @@ std::string time_left(const SearchOptions& search, const FactorOfSafety& found) 
     sum += trial.wall_s;
     run += trial.wall_s > 0.0 ? 1 : 0;
   }
-  const std::string count = fmt::format("about {} more {}", left, left == 1 ? "trial" : "trials");
+  const std::string count = fmt::format("at most {} more {}", left, left == 1 ? "trial" : "trials");
   return run == 0 ? count : fmt::format("{}, {}", count, readable_duration(left * sum / run));
 }
 

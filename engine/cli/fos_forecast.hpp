@@ -12,7 +12,7 @@ namespace scarp::cli {
 std::string search_forecast(const Simulation& start, const Criterion& criterion,
                             const SearchOptions& search);
 
-/// "about 4 more trials, 12 min", from those that are done; empty at the end.
+/// "at most 4 more trials, 12 min", from those that are done; empty at the end.
 std::string time_left(const SearchOptions& search, const FactorOfSafety& found);
 
 }  // namespace scarp::cli

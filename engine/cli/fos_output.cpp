@@ -25,9 +25,9 @@ std::string judged_point(const Criterion& criterion) {
 }
 
 std::string criterion_sentence(const Criterion& criterion) {
-  const std::string how = criterion.ramp > 0.0
-                              ? fmt::format("The strength is cut over {:.3g} s.", criterion.ramp)
-                              : std::string("The strength is cut at once.");
+  const std::string how =
+      criterion.ramp > 0.0 ? fmt::format("The strength is cut by 1.5 in {:.3g} s.", criterion.ramp)
+                           : std::string("The strength is cut at once.");
   return fmt::format(
       "{} Failed means: until {:.3g} s after that {} has moved more than {:.3g} m, 1 % of the "
       "slope's height of {:.4g} m, beyond its elastic response of {:.2g} m.",

@@ -63,7 +63,7 @@ CLI::App* add_fos_command(CLI::App& app, FosArguments& fos) {
       ->check(CLI::Range(scarp::least_reduction, scarp::most_reduction));
   command->add_option(
       "--ramp", fos.ramp,
-      "Take this time for the cut, 0 for at once; default: 1.4 times that of a free "
+      "Take this time for a cut by 1.5, 0 for at once; default: 1.4 times that of a free "
       "fall over the slope's height");
   command->add_option(
       "--window", fos.window,

@@ -15,10 +15,12 @@ namespace scarp {
 namespace {
 
 constexpr double failing_share = 0.01;  // of the height
-// Both in free falls over the height, sqrt(2 H/g). From 0.7 on the factor does not depend on the
+// All in free falls over the height, sqrt(2 H/g). From 0.7 on the factor does not depend on the
 // ramp; within five a mass driven a quarter of a per cent above its limit crosses 1 % of the
-// height: H/100 = e g sin(a) t^2/2 with e = 0.0025 and the sine of a flat slip surface, 0.2.
-constexpr double ramp_free_falls = 1.4, window_free_falls = 5.0;
+// height: H/100 = e g sin(a) t^2/2 with e = 0.0025 and the sine of a flat slip surface, 0.2. With a
+// span of half a fall no verdict of `slopes_fos` and `slope_2d` is another than at the window's
+// end.
+constexpr double ramp_free_falls = 1.4, window_free_falls = 5.0, span_free_falls = 0.5;
 
 std::string at_file(const Scene& scene) {
   return scene.file.empty() ? std::string() : scene.file + ": ";
@@ -93,7 +95,7 @@ Criterion choose_criterion(const Scene& scene, const CriterionOptions& options) 
   criterion.limit = failing_share * criterion.height;
   criterion.window = options.window.value_or(window_free_falls * free_fall);
   criterion.ramp = options.ramp.value_or(ramp_free_falls * free_fall);
-  criterion.span = free_fall;
+  criterion.span = span_free_falls * free_fall;
   if (!options.probe.empty()) {
     std::vector<std::string> names;
     for (const Probe& probe : scene.probes) names.push_back(probe.name);

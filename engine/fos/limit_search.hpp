@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace scarp {
 
@@ -26,15 +27,38 @@ struct Bracket {
   std::optional<double> factor() const;
 };
 
-/// Trials that a search still takes once it knows `bracket`, if the factor lies within one step
-/// outward.
+/// What one factor did, for the search.
+struct Outcome {
+  double factor = 1.0;
+  bool fails = false;
+  /// By how much the factor is above the limit, over the limit, as far as the trial alone tells.
+  /// Where two fail, what they say is taken in proportion: it has to vanish at the limit. 0: no
+  /// telling.
+  double excess = 0.0;
+};
+
+/// Pre: outcomes that do not contradict each other.
+Bracket bracket_of(const SearchOptions& options, const std::vector<Outcome>& outcomes);
+
+/// Where the trials that fail say that the limit lies; empty if none says so.
+std::optional<double> expected_limit(const std::vector<Outcome>& outcomes);
+
+/// The factor to try after these: outward from `from` by factors of 1.5 until one trial stands and
+/// one fails; then the ends of a bracket around the expected limit; the middle where nothing is
+/// expected, or where that has not halved the bracket in three trials. Depends on its arguments
+/// alone. Empty: the search is at its end, complete or at the bounds above. Pre: `from` and `to`
+/// within these bounds, `tolerance` above 0.
+std::optional<double> next_factor(const SearchOptions& options,
+                                  const std::vector<Outcome>& outcomes);
+
+/// Trials that a search still takes at most once it knows `bracket`, if the factor lies within one
+/// step outward and nothing is expected of it.
 int trials_left(const SearchOptions& options, const Bracket& bracket);
 
-/// Steps outward from `from` by factors of 1.5 until one trial stands and one fails, then halves.
-/// `fails` says of one factor whether the slope fails; empty: it was told to stop, and so does the
-/// search. Without a trial that stands (or fails) within the bounds above an end stays empty. Pre:
-/// `from` and `to` within the bounds, `tolerance` above 0.
+/// Tries what `next_factor` says after `known` and what has been tried. `respond` is empty if it
+/// was told to stop, and so does the search.
 Bracket find_limit(const SearchOptions& options,
-                   const std::function<std::optional<bool>(double)>& fails);
+                   const std::function<std::optional<Outcome>(double)>& respond,
+                   std::vector<Outcome> known = {});
 
 }  // namespace scarp

@@ -8,10 +8,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <deque>
 
-#include "engine/errors.hpp"
 #include "engine/fos/displacement.hpp"
+#include "engine/fos/rate.hpp"
 #include "engine/run/run.hpp"
 
 namespace scarp {
@@ -22,47 +21,12 @@ using Clock = std::chrono::steady_clock;
 /// A step is short against everything here; gathering all displacements is not free.
 constexpr std::uint64_t sample_steps = 10;
 
-/// Steps of equal ratio in which the strength is cut; each sets free a hundredth of the energy that
-/// the whole cut at once would.
-constexpr int ramp_steps = 10;
+/// A slope stands if this many times the way that it still has to go does not bring it to the
+/// limit.
+constexpr double way_margin = 3.0;
 
-/// A slope stands if this many times its present rate could not bring it to the limit in time.
-constexpr double rate_margin = 3.0;
-
-/// Displacement of the fastest-moving soil over a trailing span of time.
-class Rate {
- public:
-  explicit Rate(double span) : span_(span) {}
-  void sample(double time, double displacement) {
-    samples_.push_back({time, displacement});
-    while (samples_.size() > 1 && samples_[1].time <= time - span_) samples_.pop_front();
-  }
-  /// [m/s], of the largest rise within the span; empty before a whole span has gone by.
-  std::optional<double> value() const {
-    const Sample &first = samples_.front(), &last = samples_.back();
-    if (last.time - first.time < 0.999 * span_) return {};
-    const auto [low, high] = std::minmax_element(
-        samples_.begin(), samples_.end(),
-        [](const Sample& a, const Sample& b) { return a.displacement < b.displacement; });
-    return (high->displacement - low->displacement) / (last.time - first.time);
-  }
-
- private:
-  struct Sample {
-    double time, displacement;
-  };
-  double span_;
-  std::deque<Sample> samples_;
-};
-
-[[noreturn]] void refuse_failing(const StrengthReduction& slope, const Trial& trial) {
-  throw SceneError(fmt::format(
-      "{}: the slope fails with the strength it settled with: {:.3g} m of displacement within "
-      "{:.3g} s, more than 1 % of its height of {:.4g} m{}. Try strength_reduction below 1 (0.5 "
-      "doubles the strength) in the stages before the last, or let them settle for longer.",
-      slope.settled().scene().file, trial.displacement, trial.time, slope.criterion().height,
-      slope.settled().stage_reached_rest() ? "" : ", and it had not come to rest before"));
-}
+/// Levels of a cut are kept as long as they take no more memory [bytes]; one always.
+constexpr std::size_t memory_of_levels = std::size_t{1} << 30;
 
 }  // namespace
 
@@ -98,80 +62,158 @@ double StrengthReduction::speed(const Simulation& simulation) const {
   return std::hypot(velocity[i], velocity[i + 1], velocity[i + 2]);
 }
 
-Simulation StrengthReduction::reduced(double reduction, double duration) const {
-  return with_strength(
-      [reduction](const Stage& last) {
-        StageStrength strength{last.strength_reduction, last.material_strength_reduction};
-        if (strength.materials.empty()) strength.all = reduction;
-        for (auto& [material, factor] : strength.materials) factor = reduction;
-        return strength;
-      }(settled_.scene().stages.back()),
-      duration);
+StageStrength StrengthReduction::strength_before() const {
+  return strength_of(settled_.scene().stages[settled_.stage_index()]);
 }
 
-Simulation StrengthReduction::with_strength(const StageStrength& end, double duration) const {
-  const Stage& before = settled_.scene().stages[settled_.stage_index()];
+StageStrength StrengthReduction::strength_after(double reduction) const {
+  StageStrength strength = strength_of(settled_.scene().stages.back());
+  if (strength.materials.empty()) strength.all = reduction;
+  for (auto& [material, factor] : strength.materials) factor = reduction;
+  return strength;
+}
+
+double StrengthReduction::level_time() const { return criterion_.ramp / (cut_unit_steps - 1); }
+
+double StrengthReduction::cut_time(double reduction) const {
+  const auto levels = cut_levels(strength_before(), strength_after(reduction)).size();
+  return static_cast<double>(levels) * level_time();
+}
+
+/// What the cut by `wanted` has come to in this stage. Up to here a trial of that factor is the
+/// same.
+double StrengthReduction::reduction_reached(const Stage& stage, double wanted) const {
+  const StageStrength now = strength_of(stage);
+  const double reached = now.materials.empty() ? now.all : now.materials.begin()->second;
+  return now == strength_after(reached) ? reached : wanted;
+}
+
+/// The levels of the cut, then what is held.
+std::vector<Stage> StrengthReduction::stages_to(const StageStrength& end, double duration) const {
   Stage hold = settled_.scene().stages.back();
   hold.until = StageEnd::duration;
   hold.duration = duration;
   hold.reset_after = false;
-  hold.strength_reduction = end.all;
-  hold.material_strength_reduction = end.materials;
+  set_strength(hold, end);
   std::vector<Stage> stages;
-  for (int k = 1; k < ramp_steps && criterion_.ramp > 0.0; ++k) {
-    const double part = static_cast<double>(k) / ramp_steps;
-    const auto between = [part](double from, double to) {
-      return from * std::pow(to / from, part);
-    };
-    Stage step = hold;
-    step.name = fmt::format("{:.50}~{}", hold.name, k);
-    step.duration = criterion_.ramp / (ramp_steps - 1);
-    step.strength_reduction = between(before.strength_reduction, end.all);
-    for (const auto& [material, factor] : end.materials) {
-      const auto own = before.material_strength_reduction.find(material);
-      const double from =
-          own != before.material_strength_reduction.end() ? own->second : before.strength_reduction;
-      step.material_strength_reduction[material] = between(from, factor);
+  if (criterion_.ramp > 0.0) {
+    for (const StageStrength& level : cut_levels(strength_before(), end)) {
+      Stage step = hold;
+      step.name = fmt::format("{:.50}~{}", hold.name, stages.size() + 1);
+      step.duration = level_time();
+      set_strength(step, level);
+      stages.push_back(step);
     }
-    stages.push_back(step);
   }
   stages.push_back(hold);
+  return stages;
+}
+
+Simulation StrengthReduction::reduced(double reduction, double duration) const {
   Simulation simulation = settled_.clone();
-  simulation.set_following_stages(stages);
+  simulation.set_following_stages(stages_to(strength_after(reduction), duration));
   return simulation;
 }
 
-std::optional<Trial> StrengthReduction::run(Simulation simulation, double reduction,
-                                            const Proceed& proceed) const {
+/// The longest way kept with which a cut by these stages begins; null: there is none.
+const StrengthReduction::Level* StrengthReduction::deepest_level(
+    const std::vector<Stage>& stages) const {
+  const Level* deepest = nullptr;
+  for (const Level& level : levels_) {
+    const bool begins = level.way.size() < stages.size() &&
+                        std::equal(level.way.begin(), level.way.end(), stages.begin(),
+                                   [](const StageStrength& strength, const Stage& stage) {
+                                     return strength == strength_of(stage);
+                                   });
+    if (begins && (deepest == nullptr || level.way.size() > deepest->way.size())) deepest = &level;
+  }
+  return deepest;
+}
+
+void StrengthReduction::keep_level(const Simulation& now, double displacement) {
+  std::vector<StageStrength> way;
+  for (std::size_t s = settled_.stage_index() + 1; s <= now.stage_index(); ++s)
+    way.push_back(strength_of(now.scene().stages[s]));
+  const auto kept = [&way](const Level& level) { return level.way == way; };
+  if (std::any_of(levels_.begin(), levels_.end(), kept)) return;
+  const std::size_t most = std::max<std::size_t>(1, memory_of_levels / now.memory_bytes());
+  if (levels_.size() >= most) levels_.erase(levels_.begin());
+  levels_.push_back({std::move(way), now.clone(), displacement});
+}
+
+/// Away with levels that no trial will begin from after this one: those beyond a factor that fails,
+/// those before the last on the way to one that stands.
+void StrengthReduction::forget_levels(const Trial& trial) {
+  const std::vector<Stage> stages = stages_to(strength_after(trial.reduction), 1.0);
+  const auto shared = [&stages](const Level& level) {
+    return level.way.size() < stages.size() &&
+           level.way.back() == strength_of(stages[level.way.size() - 1]);
+  };
+  const Level* last = trial.fails ? nullptr : deepest_level(stages);
+  const std::size_t length = last == nullptr ? 0 : last->way.size();
+  std::erase_if(levels_, [&](const Level& level) {
+    return trial.fails ? !shared(level) : shared(level) && level.way.size() < length;
+  });
+}
+
+std::optional<Simulation> StrengthReduction::before_last_cut(double reduction, double duration,
+                                                             const Proceed& proceed) {
+  const std::vector<Stage> stages = stages_to(strength_after(reduction), duration);
+  const Level* level = deepest_level(stages);
+  const std::size_t done = level == nullptr ? 0 : level->way.size();
+  Simulation simulation = level == nullptr ? settled_.clone() : level->state.clone();
+  simulation.set_following_stages(
+      {stages.begin() + static_cast<std::ptrdiff_t>(done), stages.end()});
+  const std::size_t last = simulation.scene().stages.size() - 2;
+  const auto there = [last](const Simulation& now) {
+    return now.stage_index() == last && now.stage_ended();
+  };
+  if (!there(simulation)) scarp::run(simulation, {.until = there, .after_step = proceed});
+  if (!there(simulation)) return {};
+  return simulation;
+}
+
+std::optional<Trial> StrengthReduction::run(const StageStrength& end, double reduction,
+                                            const Proceed& proceed) {
   const auto start = Clock::now();
-  const std::uint64_t first_step = simulation.last_step().step;
-  const double start_time = simulation.last_step().time;
-  const double limit = criterion_.elastic + criterion_.limit;
+  const std::vector<Stage> stages = stages_to(end, criterion_.window);
+  const Level* level = deepest_level(stages);
+  const std::size_t done = level == nullptr ? 0 : level->way.size();
   Trial trial;
   trial.reduction = reduction;
+  if (level != nullptr) trial.displacement = level->displacement;
+  Simulation simulation = level == nullptr ? settled_.clone() : level->state.clone();
+  simulation.set_following_stages(
+      {stages.begin() + static_cast<std::ptrdiff_t>(done), stages.end()});
+  const std::size_t held = simulation.scene().stages.size() - 1;
+  const std::uint64_t first_step = simulation.last_step().step,
+                      settled_step = settled_.last_step().step;
+  const double limit = criterion_.elastic + criterion_.limit;
   Rate rate(criterion_.span);
-  rate.sample(0.0, 0.0);
   bool over = false, goes_on = true;
   const auto judge = [&](const Simulation& now) {
-    const double time = now.last_step().time - start_time;
-    trial.steps = now.last_step().step - first_step;
-    const bool sampled = trial.steps % sample_steps == 0 || now.finished();
-    if (sampled || !criterion_.probe.empty()) {
+    const bool holds = now.stage_index() == held;
+    const bool sampled =
+        (now.last_step().step - settled_step) % sample_steps == 0 || now.stage_ended();
+    if (sampled || !criterion_.probe.empty())
       trial.displacement = std::max(trial.displacement, displacement(now));
+    std::optional<double> to_go;
+    if (holds && sampled) {
+      rate.sample(now.last_step().stage_time, largest_displacement(now));
+      to_go = rate.still_to_go(criterion_.window - now.last_step().stage_time);
     }
-    if (sampled) rate.sample(time, largest_displacement(now));
-    const std::optional<double> moving = sampled ? rate.value() : std::nullopt;
-    const double left = criterion_.ramp + criterion_.window - time;
     if (trial.displacement > limit) {
       trial.fails = over = true;
       trial.end = TrialEnd::limit_crossed;
+      trial.reduction = reduction_reached(now.scene().stages[now.stage_index()], reduction);
     } else if (now.finished()) {
       over = true;
       trial.end = TrialEnd::window_over;
-    } else if (criterion_.early_stop && moving && left < criterion_.window - criterion_.span &&
-               trial.displacement + rate_margin * *moving * left < limit) {
+    } else if (criterion_.early_stop && to_go && trial.displacement + way_margin * *to_go < limit) {
       over = true;
       trial.end = TrialEnd::came_to_rest;
+    } else if (!holds && now.stage_ended()) {
+      keep_level(now, trial.displacement);
     }
     goes_on = !proceed || proceed(now);
     return goes_on;
@@ -179,18 +221,16 @@ std::optional<Trial> StrengthReduction::run(Simulation simulation, double reduct
   scarp::run(simulation,
              {.until = [&over](const Simulation&) { return over; }, .after_step = judge});
   if (!goes_on) return {};
-  trial.time = simulation.last_step().time - start_time;
+  trial.time = simulation.last_step().time - settled_.last_step().time;
+  trial.steps = simulation.last_step().step - first_step;
   trial.speed = speed(simulation);
   trial.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   return trial;
 }
 
 std::optional<Trial> StrengthReduction::measure_elastic(const Proceed& proceed) {
-  const Stage& before = settled_.scene().stages[settled_.stage_index()];
-  Simulation simulation = with_strength(
-      {before.strength_reduction, before.material_strength_reduction}, criterion_.window);
   const std::optional<double> own = settled_reduction(settled_.scene());
-  std::optional<Trial> trial = run(std::move(simulation), own.value_or(1.0), proceed);
+  std::optional<Trial> trial = run(strength_before(), own.value_or(1.0), proceed);
   if (!trial || trial->fails) return trial;
   take_elastic(*trial);
   return trial;
@@ -201,7 +241,7 @@ void StrengthReduction::take_elastic(const Trial& trial) {
   elastic_ = trial;
 }
 
-std::optional<Trial> StrengthReduction::respond(double reduction, const Proceed& proceed) const {
+std::optional<Trial> StrengthReduction::respond(double reduction, const Proceed& proceed) {
   const bool same = elastic_ && settled_reduction(settled_.scene()) == reduction &&
                     settled_.scene().stages.back().material_strength_reduction.empty();
   if (same) {  // has been run already
@@ -210,34 +250,9 @@ std::optional<Trial> StrengthReduction::respond(double reduction, const Proceed&
     trial.wall_s = 0.0;
     return trial;
   }
-  return run(reduced(reduction, criterion_.window), reduction, proceed);
-}
-
-FactorOfSafety find_factor(StrengthReduction& slope, const SearchOptions& search,
-                           const Proceed& proceed,
-                           const std::function<void(const FactorOfSafety&, const Trial&)>& done,
-                           const std::vector<Trial>& known) {
-  FactorOfSafety found;
-  const std::optional<Trial> elastic =
-      slope.elastic() ? slope.elastic() : slope.measure_elastic(proceed);
-  if (!elastic) return found;
-  if (elastic->fails) refuse_failing(slope, *elastic);
-  found.elastic = *elastic;
-  if (done) done(found, *elastic);
-  found.bracket = find_limit(search, [&](double reduction) -> std::optional<bool> {
-    const auto before = std::find_if(known.begin(), known.end(), [reduction](const Trial& trial) {
-      return trial.reduction == reduction;
-    });
-    const std::optional<Trial> trial =
-        before != known.end() ? *before : slope.respond(reduction, proceed);
-    if (!trial) return {};
-    found.trials.push_back(*trial);
-    std::optional<double>& end = trial->fails ? found.bracket.fails : found.bracket.stands;
-    end = reduction;  // so that an error later leaves what is known
-    if (done) done(found, *trial);
-    return trial->fails;
-  });
-  return found;
+  std::optional<Trial> trial = run(strength_after(reduction), reduction, proceed);
+  if (trial) forget_levels(*trial);
+  return trial;
 }
 
 }  // namespace scarp

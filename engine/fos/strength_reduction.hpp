@@ -3,11 +3,11 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/fos/cut.hpp"
 #include "engine/fos/limit_search.hpp"
 #include "engine/simulation.hpp"
 
@@ -17,7 +17,8 @@ namespace scarp {
 struct CriterionOptions {
   std::optional<double>
       height{};                  ///< of the slope [m]; empty: from the lowest to the highest ground
-  std::optional<double> ramp{};  ///< time that the cut takes [s]; 0: at once; empty: 1.4 free falls
+  std::optional<double> ramp{};  ///< time that a cut by 1.5 takes [s]; 0: at once; empty: 1.4 free
+                                 ///< falls
   std::optional<double> window{};  ///< [s]; empty: five free falls over the height
   std::string probe{};             ///< whose displacement is judged; empty: the scene's first probe
   /// False: a trial that stands runs to the end of the window, as it does where a soil softens.
@@ -29,8 +30,8 @@ struct CriterionOptions {
 struct Criterion {
   double height = 0.0;   ///< of the slope [m]
   double limit = 0.0;    ///< 1 % of the height [m]
-  double ramp = 0.0;     ///< time that the cut takes [s]
-  double window = 0.0;   ///< after it [s]
+  double ramp = 0.0;     ///< time that a cut by 1.5 takes, others in proportion [s]
+  double window = 0.0;   ///< after the cut [s]
   double span = 0.0;     ///< over which a rate is measured [s]
   double elastic = 0.0;  ///< displacement with nothing reduced [m]
   std::string probe{};   ///< its name; empty: the largest displacement of the soil
@@ -53,8 +54,8 @@ struct Trial {
   TrialEnd end = TrialEnd::window_over;
   double displacement = 0.0;  ///< largest within the run, since the settled state [m]
   double speed = 0.0;         ///< of the same point at the end of the run [m/s]
-  double time = 0.0;          ///< simulated after the reduction [s]
-  std::uint64_t steps = 0;
+  double time = 0.0;          ///< since the settled state [s]
+  std::uint64_t steps = 0;    ///< of this trial alone; it may begin where others have cut already
   double wall_s = 0.0;
 };
 
@@ -80,34 +81,54 @@ class StrengthReduction {
   /// Takes the elastic response that was measured before.
   void take_elastic(const Trial& trial);
 
-  /// The response to one factor, from a copy of the settled state. Empty: asked to stop. Errors:
+  /// The response to one factor. It depends on the factor alone, although it is computed from
+  /// where others have cut the strength so far already. A slope that fails on the way there is
+  /// the trial of the factor that the cut had come to. Empty: asked to stop. Errors:
   /// SimulationInstability.
-  std::optional<Trial> respond(double reduction, const Proceed& proceed) const;
+  std::optional<Trial> respond(double reduction, const Proceed& proceed);
 
-  /// A copy of the settled state with the strength cut by `reduction` for `duration` [s].
+  /// A copy of the settled state with the strength cut by `reduction`, then held for `duration`
+  /// [s].
   Simulation reduced(double reduction, double duration) const;
+
+  /// The same, before the last step of its cut. Empty: asked to stop.
+  std::optional<Simulation> before_last_cut(double reduction, double duration,
+                                            const Proceed& proceed);
+
+  /// From the settled state to the moment from which the strength is held [s].
+  double cut_time(double reduction) const;
+  double level_time() const;  ///< of one level of a cut [s]
 
   /// Displacement of the judged point since the settled state [m].
   double displacement(const Simulation& simulation) const;
+  /// The largest of all soil [m].
+  double largest_displacement(const Simulation& simulation, std::size_t* where = nullptr) const;
 
   const Simulation& settled() const { return settled_; }
   const Criterion& criterion() const { return criterion_; }
 
  private:
-  /// Factors on the strength, as a stage has them.
-  struct StageStrength {
-    double all = 1.0;
-    std::map<std::string, double> materials;
+  /// A state on the way of a cut, at the end of a level.
+  struct Level {
+    std::vector<StageStrength> way;  ///< to here
+    Simulation state;
+    double displacement;  ///< largest of the judged point so far [m]
   };
-  Simulation with_strength(const StageStrength& end, double duration) const;
-  std::optional<Trial> run(Simulation simulation, double reduction, const Proceed& proceed) const;
-  double largest_displacement(const Simulation& simulation, std::size_t* where = nullptr) const;
+  StageStrength strength_before() const;
+  StageStrength strength_after(double reduction) const;
+  double reduction_reached(const Stage& stage, double wanted) const;
+  std::vector<Stage> stages_to(const StageStrength& end, double duration) const;
+  const Level* deepest_level(const std::vector<Stage>& stages) const;
+  void keep_level(const Simulation& now, double displacement);
+  void forget_levels(const Trial& trial);
+  std::optional<Trial> run(const StageStrength& end, double reduction, const Proceed& proceed);
   double speed(const Simulation& simulation) const;
 
   Simulation settled_;
   Criterion criterion_;
   std::vector<double> position_;  ///< of the settled state
   std::optional<Trial> elastic_;
+  std::vector<Level> levels_;
 };
 
 /// The settled state's own factor, if one holds for all materials.
@@ -147,9 +168,9 @@ struct FactorOfSafety {
 };
 
 /// The elastic response, unless it has been measured, then the search. `done` is called after each
-/// trial; `proceed` may be empty; trials of the same slope and criterion that are `known` are not
-/// run again. Errors: those of `measure_elastic` and `respond`; SceneError if the slope fails with
-/// the strength it settled with.
+/// trial; `proceed` may be empty. The search goes on from trials of the same slope and criterion
+/// that are `known`, in the order in which they were found. Errors: those of `measure_elastic` and
+/// `respond`; SceneError if the slope fails with the strength it settled with.
 FactorOfSafety find_factor(
     StrengthReduction& slope, const SearchOptions& search, const Proceed& proceed,
     const std::function<void(const FactorOfSafety&, const Trial&)>& done = {},

@@ -56,7 +56,7 @@ def slip_figures(page, folder, figures):
         figure, ax = plt.subplots(figsize=(9.0, height))
         draw_particles_2d(ax, frame, field, initial=outline(first, axes=axes), axes=axes)
         page.figure(figure, f"{label_of(field, '').rsplit(' [', 1)[0].capitalize()}{where}; dashed: outline before "
-                    "the strength was cut.", figures / f"failure_{field}.png")
+                    "the last step of the cut.", figures / f"failure_{field}.png")
 
 
 def fos_page(folder, out=None):

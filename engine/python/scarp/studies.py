@@ -37,7 +37,7 @@ class FactorOfSafety:
     settle_time: float  #: simulated [s]
     height: float  #: of the slope [m]
     limit: float  #: displacement beyond the elastic one at which it counts as failed [m]
-    ramp: float  #: time that the cut takes [s]
+    ramp: float  #: time that a cut by 1.5 takes [s]
     window: float  #: time after it [s]
     probe: str  #: whose displacement is judged; "": the largest of the soil
     notes: list  #: what limits the number, a sentence each

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace scarp {
@@ -13,14 +14,18 @@ namespace {
 struct Response {
   double limit;
   std::vector<double> asked;
-  std::optional<bool> operator()(double reduction) {
+  double told = 0.0;  ///< of the true excess, as trials tell it; 0: nothing
+  double bent = 1.0;  ///< its power of the true excess
+  Outcome operator()(double reduction) {
     asked.push_back(reduction);
-    return reduction > limit;
+    const bool fails = reduction > limit;
+    return {reduction, fails, fails ? told * std::pow(reduction / limit - 1.0, bent) : 0.0};
   }
 };
 
 Bracket search(Response& response, const SearchOptions& options) {
-  return find_limit(options, [&](double reduction) { return response(reduction); });
+  return find_limit(
+      options, [&](double reduction) -> std::optional<Outcome> { return response(reduction); });
 }
 
 TEST(LimitSearch, EnclosesTheLimitWhereverItStarts) {
@@ -72,11 +77,55 @@ TEST(LimitSearch, SaysWhatItKnowsWhereThereIsNoLimit) {
   EXPECT_FALSE(fails.complete);
 }
 
+/// Trials of slopes are off by up to a sixth. Halving takes six or seven after the outward steps.
+TEST(LimitSearch, TakesFewTrialsWhereFailuresTellHowFarTheyAre) {
+  for (const double limit : {0.7, 1.05, 1.377, 1.49, 2.28}) {
+    for (const double told : {0.85, 1.0, 1.15}) {
+      Response response{limit, {}, told};
+      const SearchOptions options;
+      const Bracket bracket = search(response, options);
+      ASSERT_TRUE(bracket.complete) << limit;
+      EXPECT_LE(*bracket.stands, limit);
+      EXPECT_GT(*bracket.fails, limit);
+      const std::size_t outward = limit < 1.0 ? 2 : limit < 1.5 ? 2 : 4;
+      EXPECT_LE(response.asked.size(), outward + (told == 1.0 ? 2 : 5))
+          << limit << " told " << told;
+    }
+  }
+}
+
+TEST(LimitSearch, IsNotLedAstrayByFailuresThatTellNonsense) {
+  for (const double told : {1e-6, 0.1, 10.0, 1e6}) {
+    for (const double bent : {0.2, 1.0, 4.0}) {
+      Response response{1.377, {}, told, bent};
+      const Bracket bracket = search(response, {});
+      ASSERT_TRUE(bracket.complete);
+      EXPECT_LE(*bracket.stands, 1.377);
+      EXPECT_GT(*bracket.fails, 1.377);
+      EXPECT_LE(response.asked.size(), 2U + 3U * 6U);  // six halvings, three trials each at worst
+    }
+  }
+}
+
+TEST(LimitSearch, GoesOnFromAnyTrialAsIfItHadNotStopped) {
+  Response whole{1.377, {}, 0.8};
+  const Bracket bracket = search(whole, {});
+  for (std::size_t count = 0; count <= whole.asked.size(); ++count) {
+    Response same{1.377, {}, 0.8};
+    std::vector<Outcome> known;
+    for (std::size_t k = 0; k < count; ++k) known.push_back(same(whole.asked[k]));
+    const Bracket resumed = find_limit(
+        {}, [&](double r) -> std::optional<Outcome> { return same(r); }, known);
+    EXPECT_EQ(same.asked, whole.asked);
+    EXPECT_EQ(resumed.factor(), bracket.factor());
+  }
+}
+
 TEST(LimitSearch, StopsWhenToldAndKeepsTheBracketSoFar) {
   int asked = 0;
-  const Bracket bracket = find_limit({}, [&](double reduction) -> std::optional<bool> {
+  const Bracket bracket = find_limit({}, [&](double reduction) -> std::optional<Outcome> {
     if (++asked > 3) return {};
-    return reduction > 1.377;
+    return Outcome{reduction, reduction > 1.377};
   });
   EXPECT_EQ(asked, 4);
   EXPECT_FALSE(bracket.complete);

@@ -158,15 +158,19 @@ TEST(StrengthReductionTest, FindsTheFactorOfACoarseSlope) {
     EXPECT_EQ(trial.fails,
               trial.displacement > slope.criterion().elastic + slope.criterion().limit);
     EXPECT_EQ(trial.fails, trial.end == TrialEnd::limit_crossed);
-    EXPECT_LE(trial.time, (slope.criterion().ramp + slope.criterion().window) * (1.0 + 1e-9));
+    // A cut by more than 1.5 takes longer in proportion.
+    EXPECT_LE(trial.time, 1.3 * slope.criterion().ramp + slope.criterion().window);
   }
   // What was taken to stand early stands to the end of the window as well.
   Criterion whole = slope.criterion();
   whole.early_stop = false;
-  const StrengthReduction same(slope.settled().clone(), whole);
-  const std::optional<Trial> longer = same.respond(*found.bracket.stands, {});
-  EXPECT_FALSE(longer->fails);
-  EXPECT_EQ(longer->end, TrialEnd::window_over);
+  StrengthReduction same(slope.settled().clone(), whole);
+  for (const Trial& trial : found.trials) {
+    if (trial.fails) continue;
+    const std::optional<Trial> longer = same.respond(trial.reduction, {});
+    EXPECT_FALSE(longer->fails) << trial.reduction;
+    EXPECT_EQ(longer->end, TrialEnd::window_over);
+  }
   // Without a probe the soil that moves most is judged: it moves no less.
   Scene bare = coarse_slope();
   bare.probes.clear();
@@ -189,11 +193,80 @@ TEST(StrengthReductionTest, CutsOnlyTheMaterialsThatTheLastStageNames) {
   const Stage& last = cut.stages.back();
   EXPECT_EQ(last.strength_reduction, 0.9);
   EXPECT_EQ(last.material_strength_reduction.at("clay"), 2.0);
-  // The ramp leads from the settled strength there in equal ratios.
+  // The way leads from the settled strength there by a tenth of 1.5 each time, logarithmically.
+  const double ratio = std::pow(1.5, 0.1);
   const Stage& first = cut.stages.at(1);
-  EXPECT_NEAR(first.material_strength_reduction.at("clay"), std::pow(2.0, 0.1), 1e-12);
-  EXPECT_NEAR(first.strength_reduction, std::pow(0.9, 0.1), 1e-12);
-  EXPECT_EQ(cut.stages.size(), 1U + 10U);
+  EXPECT_NEAR(first.material_strength_reduction.at("clay"), ratio, 1e-12);
+  EXPECT_NEAR(first.strength_reduction, 1.0 / ratio, 1e-12);
+  EXPECT_EQ(cut.stages.at(3).strength_reduction, 0.9);
+  EXPECT_EQ(cut.stages.size(), 1U + 18U);  // ln 2/ln ratio = 17.1
+}
+
+TEST(CutTest, CutsShareTheirWayAsFarAsTheSmallerGoes) {
+  const StageStrength settled{0.8, {{"rock", 0.5}}};
+  const auto small = cut_levels(settled, {1.1}), large = cut_levels(settled, {1.6});
+  ASSERT_LT(small.size(), large.size());
+  EXPECT_TRUE(std::equal(small.begin(), small.end(), large.begin()));
+  EXPECT_EQ(cut_levels({}, {1.5}).size(), 9U);
+  EXPECT_TRUE(cut_levels(settled, {0.8}).empty());
+  EXPECT_LT(small.back().all, 1.1);
+  // What a material has of its own it is cut from.
+  EXPECT_NEAR(cut_levels(settled, {1.0, {{"rock", 1.0}}}).front().materials.at("rock"),
+              0.5 * std::pow(1.5, 0.1), 1e-12);
+}
+
+/// Bit for bit, whatever was tried before it and kept on the way.
+TEST(StrengthReductionTest, ATrialDependsOnItsFactorAlone) {
+  StrengthReduction one = settled_slope(coarse_slope()), other = settled_slope(coarse_slope());
+  ASSERT_TRUE(one.measure_elastic({}));
+  ASSERT_TRUE(other.measure_elastic({}));
+  ASSERT_TRUE(one.respond(1.55, {})->fails);
+  ASSERT_FALSE(one.respond(1.2, {})->fails);
+  for (const double reduction : {1.3, 1.45}) {
+    const std::optional<Trial> late = one.respond(reduction, {});
+    const std::optional<Trial> first = other.respond(reduction, {});
+    EXPECT_EQ(late->fails, first->fails);
+    EXPECT_EQ(late->displacement, first->displacement);
+    EXPECT_EQ(late->speed, first->speed);
+    EXPECT_EQ(late->time, first->time);
+    EXPECT_LE(late->steps, first->steps);
+  }
+  EXPECT_LT(one.respond(1.45, {})->steps, settled_slope(coarse_slope()).respond(1.45, {})->steps);
+}
+
+/// The search by few trials finds the bracket that halving with whole trials finds.
+TEST(StrengthReductionTest, TheFactorIsThatOfHalvingWithWholeTrials) {
+  StrengthReduction slope = settled_slope(coarse_slope());
+  const FactorOfSafety found = find_factor(slope, {1.2, 1.6, 0.02}, {});
+  ASSERT_TRUE(found.bracket.complete);
+  Criterion whole = slope.criterion();
+  whole.early_stop = false;
+  StrengthReduction same(slope.settled().clone(), whole);
+  const Bracket halved =
+      find_limit({1.2, 1.6, 0.02}, [&](double reduction) -> std::optional<Outcome> {
+        return Outcome{reduction, same.respond(reduction, {})->fails};
+      });
+  ASSERT_TRUE(halved.complete);
+  EXPECT_LT(*found.bracket.stands, *halved.fails);
+  EXPECT_LT(*halved.stands, *found.bracket.fails);
+  EXPECT_LE(found.trials.size(), 6U);  // halving takes 2 + 4
+}
+
+/// It fails long before the strength is down there.
+TEST(StrengthReductionTest, ASlopeThatFailsOnTheWayIsATrialOfTheFactorReached) {
+  StrengthReduction slope = settled_slope(coarse_slope());
+  ASSERT_TRUE(slope.measure_elastic({}));
+  const std::optional<Trial> far = slope.respond(5.0, {});
+  ASSERT_TRUE(far->fails);
+  EXPECT_GT(far->reduction, 1.37);
+  EXPECT_LT(far->reduction, 2.5);
+  EXPECT_LT(far->time, slope.criterion().ramp * std::log(far->reduction) / std::log(1.5) * 1.3);
+  StrengthReduction same = settled_slope(coarse_slope());
+  ASSERT_TRUE(same.measure_elastic({}));
+  const std::optional<Trial> near = same.respond(far->reduction, {});
+  EXPECT_EQ(near->reduction, far->reduction);
+  EXPECT_EQ(near->displacement, far->displacement);
+  EXPECT_EQ(near->time, far->time);
 }
 
 TEST(StrengthReductionTest, ASlopeThatFailsUnreducedIsRefused) {

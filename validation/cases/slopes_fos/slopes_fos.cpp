@@ -84,7 +84,7 @@ void judge_early_stops(CaseRun& run, const std::string& name, const StrengthRedu
                        const FactorOfSafety& found) {
   Criterion whole = slope.criterion();
   whole.early_stop = false;
-  const StrengthReduction same(slope.settled().clone(), whole);
+  StrengthReduction same(slope.settled().clone(), whole);
   int changed = 0, checked = 0;
   for (const Trial& trial : found.trials) {
     if (trial.end != TrialEnd::came_to_rest) continue;
@@ -130,7 +130,7 @@ void tell_sudden(CaseRun& run, const std::string& name, const Simulation& settle
 }
 
 /// What is judged at the finest spacing of the form, and the picture of the failure.
-void judge_finest(CaseRun& run, const PublishedSlope& published, const StrengthReduction& slope,
+void judge_finest(CaseRun& run, const PublishedSlope& published, StrengthReduction& slope,
                   const FactorOfSafety& found, const BishopResult& bishop) {
   const std::string name = published.name;
   const Scene& scene = slope.settled().scene();

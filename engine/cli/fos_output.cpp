@@ -17,6 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Less soil that yields while it settles is not worth a word.
+constexpr double told_share = 0.01;
+
 Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 std::string judged_point(const Criterion& criterion) {
@@ -49,6 +52,18 @@ std::string resolution_sentence(const Criterion& criterion, const Scene& scene) 
       rows < 20.0 ? " Under 20 spacings in the height count on several per cent." : "");
 }
 
+/// How much of the soil yielded on its way to rest.
+struct Yielded {
+  double share = 0.0, most = 0.0;  ///< of the particles; largest plastic strain
+};
+
+Yielded yielded_of(const Simulation& settled) {
+  const std::vector<double> strain = settled.field("accumulated_plastic_strain");
+  const auto count = std::count_if(strain.begin(), strain.end(), [](double e) { return e > 0.0; });
+  return {static_cast<double>(count) / static_cast<double>(strain.size()),
+          *std::max_element(strain.begin(), strain.end())};
+}
+
 std::vector<std::string> notes(const FosReport& report, const Simulation& settled) {
   const Scene& scene = settled.scene();
   std::vector<std::string> found;
@@ -70,6 +85,13 @@ std::vector<std::string> notes(const FosReport& report, const Simulation& settle
         fmt::format("The slope fails with the strength that its settling stages give it. It was "
                     "settled with {:g} times that strength, which the trials cut from there.",
                     report.strengthening));
+  }
+  if (const Yielded yielded = yielded_of(settled); yielded.share >= told_share) {
+    found.push_back(fmt::format(
+        "While it settled, {:.0f} % of the soil yielded, by a plastic strain of up to {:.2g}: the "
+        "stress at rest is one of those that it can have, and depends a little on how that stage "
+        "damps. A k0 that the soil bears lets less of it yield.",
+        100.0 * yielded.share, yielded.most));
   }
   if (const auto note = dilation_note(scene, bracket.factor())) found.push_back(*note);
   if (settled.lost_soil().particles > 0)
@@ -195,6 +217,9 @@ std::string fos_json(const FosReport& report, const Simulation& settled) {
             {"trials", Json::array()},
             {"wall_s", total_wall(report)},
             {"notes", notes(report, settled)}};
+  const Yielded yielded = yielded_of(settled);
+  json["settle"]["yielded_share"] = yielded.share;
+  json["settle"]["plastic_strain"] = yielded.most;
   for (const Trial& trial : report.found.trials) json["trials"].push_back(json_of(trial));
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -14,6 +14,7 @@
 #include "engine/particles/readable.hpp"
 #include "engine/particles/slots_by_id.hpp"
 #include "engine/scene/nearest_name.hpp"
+#include "engine/scene/vector.hpp"
 #include "engine/setup.hpp"
 #include "engine/state.hpp"
 #include "engine/step/phase_runner.hpp"
@@ -217,6 +218,17 @@ std::vector<double> Simulation::wall_positions() const {
     if (walls.is_inner(k)) continue;
     for (const double* axis : {walls.points().x, walls.points().y, walls.points().z})
       out.push_back(axis[k]);
+  }
+  return out;
+}
+
+std::vector<WallFace> Simulation::wall_faces() const {
+  const Boundary& boundary = owned(impl_).state.boundary;
+  std::vector<WallFace> out;
+  for (WallFace face : boundary.surface.faces()) {
+    if (!boundary.stands[face.wall]) continue;
+    face.facet.origin = geometry::plus(face.facet.origin, 1.0, boundary.offset[face.wall]);
+    out.push_back(face);
   }
   return out;
 }

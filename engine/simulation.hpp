@@ -110,6 +110,7 @@ class Simulation {
   /// The permanent ids of all particles, ascending: the order of `field`.
   [[nodiscard]] std::vector<std::int64_t> ids() const;
   [[nodiscard]] std::vector<double> wall_positions() const;  ///< 3 per dummy particle
+  [[nodiscard]] std::vector<WallFace> wall_faces() const;    ///< that stand, where they are now
 
   /// Looks at the present state as `step()` does every 50 steps. Errors: SimulationInstability.
   void require_sound() const;

@@ -14,12 +14,6 @@
 
 namespace scarp {
 
-/// A flat piece of a wall.
-struct WallFace {
-  Facet facet;
-  std::size_t wall = 0;  ///< index into `Scene::walls`
-};
-
 /// Which walls stand at one moment, and how far each has moved; by wall.
 struct WallPlacement {
   const std::vector<bool>& stands;

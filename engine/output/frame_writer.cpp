@@ -14,6 +14,7 @@
 #include <string>
 #include <system_error>
 
+#include "engine/boundary/facet_geometry.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/hdf5_file.hpp"
 #include "engine/output/text_file.hpp"
@@ -79,6 +80,26 @@ void write_moment(hdf5::NewFile& file, const Simulation& simulation, std::string
   file.attribute("/", "title", scene.title);
   file.attribute("/", "dimension", std::vector<std::int64_t>{scene.dimension});
   file.attribute("/", "spacing", simulation.spacing());
+}
+
+/// The faces of the walls that stand, beside the grid: readers of VTK files look past them.
+void write_faces(hdf5::NewFile& file, const Simulation& simulation) {
+  const int dimension = simulation.scene().dimension;
+  std::vector<double> positions;
+  std::vector<std::int32_t> walls;
+  for (const WallFace& face : simulation.wall_faces()) {
+    for (const Vec3& corner : geometry::corners(face.facet, dimension))
+      positions.insert(positions.end(), corner.begin(), corner.end());
+    walls.push_back(static_cast<std::int32_t>(face.wall));
+  }
+  file.group("faces");
+  const hsize_t corners = dimension == 2 ? 2 : 4;
+  file.dataset("faces/corners", positions, {walls.size(), corners, 3});
+  file.attribute("faces/corners", "unit", "m");
+  file.dataset("faces/wall", walls);
+  std::string names;
+  for (const Wall& wall : simulation.scene().walls) names += wall.name + '\n';
+  file.attribute("faces/wall", "names", names);
 }
 
 bool any_wall_changes(const Scene& scene) {
@@ -154,6 +175,7 @@ void write_wall_frame(const std::filesystem::path& path, const Simulation& simul
   hdf5::NewFile file(path);
   write_grid(file, simulation.wall_positions(), simulation.spacing());
   write_moment(file, simulation, "walls");
+  write_faces(file, simulation);
   file.commit();
 }
 

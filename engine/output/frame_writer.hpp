@@ -22,7 +22,8 @@ namespace scarp {
 void write_soil_frame(const std::filesystem::path& path, const Simulation& simulation,
                       std::string_view event);
 
-/// The same form for the walls' dummy particles; positions only. Errors: FileError.
+/// The same form for the walls' dummy particles; positions only. The group `faces` holds the walls
+/// themselves. Errors: FileError.
 void write_wall_frame(const std::filesystem::path& path, const Simulation& simulation);
 
 /// How large a frame of the soil is now [bytes].

@@ -9,7 +9,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.collections import EllipseCollection, LineCollection  # noqa: E402
 
-from scarp_frames import scalar  # noqa: E402
+from scarp_frames import in_view, scalar  # noqa: E402
 
 plt.rcParams.update({
     "font.size": 9, "axes.titlesize": 9, "axes.titlelocation": "left", "axes.linewidth": 0.6,
@@ -64,28 +64,6 @@ def _simplified(line, tolerance):
             keep[middle] = True
             pending += [(first, middle), (middle, last)]
     return line[keep]
-
-
-def in_view(frame):
-    """The frame without grains that lie so far out that the others would vanish beside them, and a sentence about
-    these; the frame itself and "" where there are none. Far out: the box of all is more than four times as long as
-    that of all but the outermost 0.05 % (three at least) at each end of an axis."""
-    position = frame["position"]
-    count = len(position)
-    trim = max(-(-count // 2000), 3) if count >= 40 else count // 10
-    if trim == 0:
-        return frame, ""
-    ordered = np.partition(position, [trim, count - 1 - trim], axis=0)
-    low, high = ordered[trim], ordered[count - 1 - trim]
-    room = 1.5 * np.maximum(high - low, 20 * frame["spacing"])
-    near = ((position >= low - room) & (position <= high + room)).all(axis=1)
-    if near.all():
-        return frame, ""
-    away = np.maximum(low - position, position - high).max(axis=1)
-    seen = dict(frame, position=position[near], fields={n: v[near] for n, v in frame["fields"].items()})
-    left = count - int(near.sum())
-    return seen, (f"{left} grain{'s lie' if left > 1 else ' lies'} outside this picture, the farthest "
-                  f"{away.max():.3g} m away.")
 
 
 def _tell(ax, sentence):

@@ -81,7 +81,7 @@ def _is_number(value):
 
 
 def load_frame(path):
-    """frame_info plus `position` (n, 3) [m], `fields` {name: array} and `units` {name: unit}. Particles
+    """frame_info plus `position` (n, 3) [m], `fields` {name: array}, and by name `units` and `descriptions`. Particles
     with a position that is not finite (a run that failed) are left out."""
     with _reading(path), h5py.File(path, "r") as file:
         frame = _info(file, path)
@@ -89,7 +89,7 @@ def load_frame(path):
         position = _positions(grid["Points"], path)
         good = np.isfinite(position).all(axis=1)
         frame["position"] = position[good]
-        frame["fields"], frame["units"] = {}, {}
+        frame["fields"], frame["units"], frame["descriptions"] = {}, {}, {}
         for name, data in grid["PointData"].items():
             values = _stored(data, path)
             if values.ndim not in (1, 2) or len(values) != len(position) or (
@@ -97,6 +97,7 @@ def load_frame(path):
                 raise Damaged(path, f"'{name}' has the shape {values.shape} for {len(position)} particles")
             frame["fields"][name] = values[good]
             frame["units"][name] = _text(data.attrs.get("unit", ""))
+            frame["descriptions"][name] = _text(data.attrs.get("description", ""))
     if len(frame["position"]) == 0:
         raise Damaged(path, "holds no particle that is anywhere")
     return frame
@@ -127,6 +128,28 @@ def scalar(frame, field):
     raise KeyError(f"the frame has no field '{field}'; it has {', '.join(sorted(fields))}")
 
 
+def in_view(frame):
+    """The frame without grains that lie so far out that the others would vanish beside them, and a sentence about
+    these; the frame itself and "" where there are none. Far out: the box of all is more than four times as long as
+    that of all but the outermost 0.05 % (three at least) at each end of an axis."""
+    position = frame["position"]
+    count = len(position)
+    trim = max(-(-count // 2000), 3) if count >= 40 else count // 10
+    if trim == 0:
+        return frame, ""
+    ordered = np.partition(position, [trim, count - 1 - trim], axis=0)
+    low, high = ordered[trim], ordered[count - 1 - trim]
+    room = 1.5 * np.maximum(high - low, 20 * frame["spacing"])
+    near = ((position >= low - room) & (position <= high + room)).all(axis=1)
+    if near.all():
+        return frame, ""
+    away = np.maximum(low - position, position - high).max(axis=1)
+    seen = dict(frame, position=position[near], fields={n: v[near] for n, v in frame["fields"].items()})
+    left = count - int(near.sum())
+    return seen, (f"{left} grain{'s lie' if left > 1 else ' lies'} outside this picture, the farthest "
+                  f"{away.max():.3g} m away.")
+
+
 def read_series(folder, name="soil"):
     """Paths and times of the frames of a run folder, in order: [(path, time)]; empty without frames."""
     folder = pathlib.Path(folder)
@@ -139,15 +162,36 @@ def read_series(folder, name="soil"):
     return []
 
 
+def _walls_file(folder, number):
+    frames = pathlib.Path(folder) / "frames"
+    return next((path for path in (frames / f"walls_{number:05}.hdf", frames / "walls.hdf") if path.exists()), None)
+
+
 def load_walls(folder, number=0):
     """Positions of the wall dummies [m] at frame `number`, or None."""
-    frames = pathlib.Path(folder) / "frames"
-    for path in (frames / f"walls_{number:05}.hdf", frames / "walls.hdf"):
-        if path.exists():
-            with _reading(path), h5py.File(path, "r") as file:
-                position = _positions(file["VTKHDF/Points"], path)
-                return position[np.isfinite(position).all(axis=1)]
-    return None
+    path = _walls_file(folder, number)
+    if path is None:
+        return None
+    with _reading(path), h5py.File(path, "r") as file:
+        position = _positions(file["VTKHDF/Points"], path)
+        return position[np.isfinite(position).all(axis=1)]
+
+
+def load_faces(folder, number=0):
+    """The faces of the walls that stand at frame `number`: `corners` (n, 2 or 4, 3) [m], `wall` (n), the number of the wall
+    that each is a part of, and `names` of all walls. None where the run left none."""
+    path = _walls_file(folder, number)
+    if path is None:
+        return None
+    with _reading(path), h5py.File(path, "r") as file:
+        if "faces" not in file:  # of an earlier version
+            return None
+        corners, wall = (_stored(file[f"faces/{name}"], path) for name in ("corners", "wall"))
+        names = _text(file["faces/wall"].attrs["names"]).splitlines()
+        if corners.ndim != 3 or corners.shape[1:] not in ((2, 3), (4, 3)) or wall.shape != corners.shape[:1] or (
+                wall.size and not 0 <= wall.min() <= wall.max() < len(names)) or not np.isfinite(corners).all():
+            raise Damaged(path, "its faces are none")
+        return {"corners": corners, "wall": wall, "names": names}
 
 
 def read_table(path):

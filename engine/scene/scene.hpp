@@ -139,6 +139,12 @@ struct Facet {
   Vec3 normal{};
 };
 
+/// A flat piece of one of the walls of a scene.
+struct WallFace {
+  Facet facet{};
+  std::size_t wall = 0;  ///< index into `Scene::walls`
+};
+
 struct Wall {
   std::string name{};
   WallKind kind = WallKind::no_slip;

@@ -140,10 +140,16 @@ TEST_F(FrameWriterTest, WritesMovingWallsWithEachFrame) {
   std::string text = block_text;
   const std::string line = "line = [[-2, 0], [6, 0]]";
   text.insert(text.find(line) + line.size(), "\nmotion = {velocity = [0.1, 0.0]}");
-  const Simulation simulation(read_scene_text(text, "moving.toml"));
+  Simulation simulation(read_scene_text(text, "moving.toml"));
   FrameWriter frames(simulation, folder_);
   frames.write(simulation, "start");
+  const double moved = 0.1 * simulation.step().time;
   frames.write(simulation, "interval");
+  EXPECT_EQ(dataset(folder_ / "walls_00000.hdf", "faces/corners"),
+            (std::vector<double>{-2, 0, 0, 6, 0, 0}));
+  EXPECT_EQ(dataset(folder_ / "walls_00001.hdf", "faces/corners"),
+            (std::vector<double>{-2 + moved, 0, 0, 6 + moved, 0, 0}));
+  EXPECT_EQ(attribute(folder_ / "walls_00001.hdf", "faces/wall", "names"), "base\n");
   EXPECT_TRUE(std::filesystem::exists(folder_ / "walls_00001.hdf"));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "walls.hdf.series")).at("files").size(), 2u);
 }

@@ -49,6 +49,7 @@ std::vector<Use> every_use() {
       {"fields", [](Simulation& s) { static_cast<void>(s.fields()); }},
       {"field", [](Simulation& s) { static_cast<void>(s.field("stress")); }},
       {"wall_positions", [](Simulation& s) { static_cast<void>(s.wall_positions()); }},
+      {"wall_faces", [](Simulation& s) { static_cast<void>(s.wall_faces()); }},
       {"require_sound", [](Simulation& s) { s.require_sound(); }},
       {"energy", [](Simulation& s) { static_cast<void>(s.energy()); }},
       {"wall_reactions", [](Simulation& s) { static_cast<void>(s.wall_reactions()); }},

@@ -24,6 +24,10 @@ set(scarp_share_patterns FILES_MATCHING
   PATTERN "*.css" PATTERN "__pycache__" EXCLUDE)
 # The programs look for these in share/scarp beside their own bin/ before they look in the sources.
 install(DIRECTORY engine/report/ DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/report ${scarp_share_patterns})
+if(TARGET scarp_viewer)
+  install(FILES ${scarp_viewer_script} DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/report OPTIONAL)
+  install(FILES ${scarp_viewer_dir}/three.js.LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+endif()
 if(TARGET scarp-validate)
   install(DIRECTORY validation/cases DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/validation
           ${scarp_share_patterns})

@@ -19,7 +19,7 @@ std::string write_report(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(script, error))
     return missing + "'" + script.string() + "' is not there.";
   try {
-    if (cli::run_python(script, folder, false) == 0)
+    if (cli::run_python(script, {folder.string()}, false) == 0)
       return fmt::format("report: {}", (folder / "report.html").string());
   } catch (const FileError& problem) {
     return missing + problem.what();

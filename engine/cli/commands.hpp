@@ -81,6 +81,17 @@ struct NewArguments {
   std::string file;  ///< empty: NAME.toml; "-": standard output
 };
 
+struct ReportArguments {
+  std::string folder;            ///< of a run, `fos` or `converge`
+  double picture_megabytes = 40;  ///< that the moving picture may take; 0: none
+  bool silent = false;           ///< the page's path is not printed
+};
+
+struct WatchArguments {
+  std::string folder;  ///< of a run
+  int port = 0;        ///< 0: a free one
+};
+
 /// The scene of the file with the overrides applied. Errors: FileError, SceneError, UsageError.
 Scene load_scene(const SceneArguments& arguments);
 
@@ -114,7 +125,7 @@ int new_command(const NewArguments& arguments);
 /// `key`: "cohesion", "material.cohesion", "material[0].cohesion" or a section; empty: all of them.
 int explain_command(const std::string& key);
 
-/// `silent`: the page's path is not printed.
-int report_command(const std::string& folder, bool silent = false);
+int report_command(const ReportArguments& arguments);
+int watch_command(const WatchArguments& arguments);
 
 }  // namespace scarp::cli

@@ -162,7 +162,7 @@ int search_in(const fs::path& folder, const Scene& scene, const FosArguments& ar
   write_outputs(report, slope.settled(), folder, arguments);
   end_search();
   try {  // without Python the numbers are there all the same
-    report_command(folder.string(), arguments.scene.json == "-");
+    report_command({.folder = folder.string(), .silent = arguments.scene.json == "-"});
   } catch (const FileError& error) {
     fmt::print(stderr, "no report: {}\n", error.what());
   }

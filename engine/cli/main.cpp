@@ -131,12 +131,26 @@ int run_program(int argc, char** argv) {
   explain_app->add_option("key", key,
                           "Such as cohesion, material.cohesion or stage; without it, list them");
 
-  std::string report_folder;
+  ReportArguments report;
   CLI::App* report_app = app.add_subcommand(
       "report", "Draw figures and report.html of a run, or of what fos or converge left");
-  report_app->add_option("folder", report_folder, "Output folder of a run")
+  report_app->add_option("folder", report.folder, "Output folder of a run")
       ->required()
       ->check(CLI::ExistingDirectory);
+  report_app
+      ->add_option("--picture", report.picture_megabytes,
+                   "Megabytes that the moving picture may take, 0 for none; default 40. Of a run "
+                   "that needs more it shows fewer moments, then fewer particles")
+      ->check(CLI::Range(0.0, 4000.0));
+
+  WatchArguments watch;
+  CLI::App* watch_app = app.add_subcommand(
+      "watch", "Follow a run in a browser on this machine while it goes on, until Ctrl-C");
+  watch_app->add_option("folder", watch.folder, "Output folder of the run")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  watch_app->add_option("--port", watch.port, "Listen on this port; default: a free one")
+      ->check(CLI::Range(1, 65535));
 
   refuse_empty_values(app);
   for (scarp::RunOptions* options :
@@ -150,7 +164,7 @@ int run_program(int argc, char** argv) {
     return app.exit(error) == 0 ? ok : usage;
   }
   const std::string note = scarp::note_on_offered_threads();
-  const bool steps = !*report_app && !*new_app && !*explain_app;
+  const bool steps = !*report_app && !*watch_app && !*new_app && !*explain_app;
   if (!note.empty() && steps) fmt::print(stderr, "warning: {}.\n", note);
   if (*run_app) return run_command(run);
   if (*resume_app) return resume_command(resume);
@@ -160,7 +174,8 @@ int run_program(int argc, char** argv) {
   if (*element_app) return element_command(element);
   if (*new_app) return new_command(fresh);
   if (*explain_app) return explain_command(key);
-  return report_command(report_folder);
+  if (*watch_app) return watch_command(watch);
+  return report_command(report);
 }
 
 }  // namespace

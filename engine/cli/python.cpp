@@ -9,7 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -61,12 +60,16 @@ class Start {
 
 }  // namespace
 
-int run_python(const std::filesystem::path& script, const std::filesystem::path& argument,
+int run_python(const std::filesystem::path& script, const std::vector<std::string>& arguments,
                bool silent) {
   std::fflush(stdout);  // what has been said comes before what the script says
-  std::string program = python, file = script.string(), folder = argument.string();
-  const std::array<char*, 4> arguments{program.data(), file.data(), folder.data(), nullptr};
-  const pid_t child = Start(silent)(arguments.data());
+  const std::string file = script.string();
+  std::vector<std::string> words{python, file};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const pid_t child = Start(silent)(pointers.data());
   int status = 0;
   {
     const ToldToStop told(child);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// `scarp report`: hands a run's folder to the report script.
+/// `scarp report` and `scarp watch`: hand a run's folder to their scripts.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,8 @@
 namespace scarp::cli {
 namespace {
 
-/// SCARP_REPORT, else beside an installed program, else in the source tree it was built from.
+/// SCARP_REPORT, else beside an installed program, else in the source tree it was built from, to
+/// which the build adds the viewer.
 std::filesystem::path report_script() {
   namespace fs = std::filesystem;
   if (const char* chosen = std::getenv("SCARP_REPORT"); chosen && *chosen) return chosen;
@@ -22,20 +23,37 @@ std::filesystem::path report_script() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   fs::path installed = program.parent_path().parent_path() / "share/scarp/report/scarp_report.py";
   if (!error && fs::exists(installed, error)) return installed;
+  constexpr int keep = 0;
+  ::setenv("SCARP_VIEWER", SCARP_VIEWER_SCRIPT, keep);
   return SCARP_REPORT_SCRIPT;
+}
+
+/// A script of the report's folder.
+std::filesystem::path required_script(const char* name) {
+  const std::filesystem::path script = report_script().replace_filename(name);
+  std::error_code error;
+  if (std::filesystem::exists(script, error)) return script;
+  throw FileError(fmt::format(
+      "'{}': the script is not there. Set SCARP_REPORT to the path of scarp_report.py.",
+      script.string()));
 }
 
 }  // namespace
 
-int report_command(const std::string& folder, bool silent) {
-  const std::filesystem::path script = report_script();
-  std::error_code error;
-  if (!std::filesystem::exists(script, error)) {
-    throw FileError(fmt::format(
-        "'{}': the report script is not there. Set SCARP_REPORT to the path of scarp_report.py.",
-        script.string()));
+int report_command(const ReportArguments& arguments) {
+  const std::vector<std::string> words{"--picture", fmt::format("{}", arguments.picture_megabytes),
+                                       "--", arguments.folder};
+  return run_python(required_script("scarp_report.py"), words, arguments.silent) == 0 ? ok : failed;
+}
+
+int watch_command(const WatchArguments& arguments) {
+  const std::vector<std::string> words{"--port", fmt::format("{}", arguments.port), "--",
+                                       arguments.folder};
+  try {
+    return run_python(required_script("scarp_watch.py"), words, false) == 0 ? ok : failed;
+  } catch (const Stopped&) {
+    return ok;  // nothing else ends it
   }
-  return run_python(script, folder, silent) == 0 ? ok : failed;
 }
 
 }  // namespace scarp::cli

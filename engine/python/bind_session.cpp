@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/boundary/facet_geometry.hpp"
 #include "engine/check/start_warnings.hpp"
 #include "engine/cli/resumed_run.hpp"
 #include "engine/cli/run_record.hpp"
@@ -131,6 +132,17 @@ py::dict energy_of(const EnergyBalance& e) {
                   {"imbalance", py::cast(e.imbalance)}});
 }
 
+/// Corners, three numbers each, and the walls of the faces.
+py::tuple faces_of(const Simulation& simulation) {
+  std::vector<double> positions, walls;
+  for (const WallFace& face : simulation.wall_faces()) {
+    for (const Vec3& corner : geometry::corners(face.facet, simulation.scene().dimension))
+      positions.insert(positions.end(), corner.begin(), corner.end());
+    walls.push_back(static_cast<double>(face.wall));
+  }
+  return py::make_tuple(array_of(std::move(positions), 3), array_of(std::move(walls)));
+}
+
 py::list fields_of(const Simulation& simulation) {
   py::list found;
   for (const FieldInfo& field : simulation.fields()) {
@@ -207,6 +219,7 @@ void bind_session(py::module_& module) {
            })
       .def("wall_positions",
            [](const Session& session) { return array_of(session.read().wall_positions(), 3); })
+      .def("wall_faces", [](const Session& session) { return faces_of(session.read()); })
       .def(
           "probe",
           [](const Session& session, const std::string& name) {

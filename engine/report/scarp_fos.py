@@ -59,8 +59,9 @@ def slip_figures(page, folder, figures):
                     "the last step of the cut.", figures / f"failure_{field}.png")
 
 
-def fos_page(folder, out=None):
-    """Writes the page over what `scarp fos` left in a folder; returns its path."""
+def fos_page(folder, out, moving_picture):
+    """Writes the page over what `scarp fos` left in a folder; returns its path. `moving_picture(page, run)` adds that of the
+    failure."""
     folder = pathlib.Path(folder)
     study = read_json(folder / "fos.json")
     page = Page(study["title"] or folder.name,
@@ -80,6 +81,7 @@ def fos_page(folder, out=None):
     page.section("How it fails")
     if study["fails"] is not None and (folder / "failure" / "frames").exists():
         page.text(f"Strength cut by {study['fails']:.4g}, the least factor that failed, carried on beyond the limit.")
+        page.part(folder / "failure" / "frames", moving_picture, page, folder / "failure")
         page.part(folder / "failure" / "frames", slip_figures, page, folder / "failure", folder / "figures")
     else:
         page.text("No failure was shown.")

@@ -14,7 +14,6 @@ engine/viewer/src/decode.js reads them:
 Components follow one another. Of numbers with several bytes all first bytes come first, because like bytes compress better.
 """
 
-import json
 import tomllib
 import zlib
 
@@ -136,37 +135,43 @@ class PackedFrame:
         return sum(len(block) for block in self.blocks.values())
 
 
-def head(folder, frame):
-    """What all frames of a run have in common."""
+def head(title, frame, materials):
+    """What all moments have in common. `materials`: name and model of each, as materials_of gives them."""
     frame = with_invariants(frame)
     fields = [{"name": name, "unit": frame["units"].get(name, ""), "description": frame["descriptions"].get(name, "")}
               for name in frame["fields"]]
-    return {"format": "scarp picture", "version": 1, "title": frame.get("title") or folder.name,
-            "dimension": frame["dimension"], "spacing": frame["spacing"], "disc": frame["spacing"], "fields": fields,
-            "materials": materials_of(folder), "notes": [], "walls": []}
+    return {"format": "scarp picture", "version": 1, "title": title, "dimension": frame["dimension"], "spacing": frame["spacing"],
+            "disc": frame["spacing"], "fields": fields, "materials": materials, "notes": [], "walls": []}
 
 
 def materials_of(folder):
     """Name and model of each material, in the order of the field `material`; none of a run that keeps no scene."""
     path = folder / "run.json"
     try:
-        scene = tomllib.loads(read_json(path)["text"]) if path.exists() else tomllib.loads(
-            (folder / "scene.toml").read_text(encoding="utf-8"))
-        return [{"name": str(m["name"]), "model": m.get("model", "drucker_prager")} for m in scene["material"]]
-    except (OSError, KeyError, TypeError, AttributeError, ValueError):
+        text = read_json(path)["text"] if path.exists() else (folder / "scene.toml").read_text(encoding="utf-8")
+        return materials_in(text)
+    except (OSError, KeyError):
         return []
 
 
-def chosen(infos, most):
-    """At most `most` frames: the first, the last, ends of stages, then those in between at equal distances."""
-    if len(infos) <= most:
-        return infos
-    ends = [0, len(infos) - 1] + [k for k, info in enumerate(infos) if info["event"] in ("stage_end", "stopped")]
+def materials_in(scene_text):
+    """The same from the text of a scene."""
+    try:
+        return [{"name": str(m["name"]), "model": m.get("model", "drucker_prager")} for m in tomllib.loads(scene_text)["material"]]
+    except (KeyError, TypeError, AttributeError, ValueError):
+        return []
+
+
+def chosen(moments, most):
+    """At most `most` moments: the first, the last, ends of stages, then those in between at equal distances."""
+    if len(moments) <= most:
+        return moments
+    ends = [0, len(moments) - 1] + [k for k, moment in enumerate(moments) if moment.info["event"] in ("stage_end", "stopped")]
     kept = set(list(dict.fromkeys(ends))[:most])
-    for k in np.linspace(0, len(infos) - 1, most).round().astype(int):
+    for k in np.linspace(0, len(moments) - 1, most).round().astype(int):
         if len(kept) < most:
             kept.add(int(k))
-    return [infos[k] for k in sorted(kept)]
+    return [moments[k] for k in sorted(kept)]
 
 
 LEAST_FRAMES = 12  # before particles are left out
@@ -187,34 +192,51 @@ def walls_of(faces):
             "corners": [[round(float(x), 9) for x in face.ravel()] for face in faces["corners"]]}
 
 
+class StoredMoment:
+    """A frame of a run's folder; other moments have the same members."""
+
+    def __init__(self, folder, number, path):
+        self.folder, self.number, self.path = folder, number, path
+        self.info = frame_info(path)
+
+    def load(self):
+        return load_frame(self.path)
+
+    def faces(self):
+        return load_faces(self.folder, self.number)
+
+
+def stored_moments(folder):
+    return [StoredMoment(folder, n, path) for n, (path, _) in enumerate(read_series(folder)) if path.exists()]
+
+
 def run_picture(folder, budget):
-    """(index, blocks by name) of the run in a folder; of text in base64 the blocks have at most `budget` bytes."""
-    listed = [(n, path) for n, (path, _) in enumerate(read_series(folder)) if path.exists()]
-    infos = [dict(frame_info(path), number=n) for n, path in listed]
-    if not infos:
-        return None
-    first, last = load_frame(infos[0]["path"]), load_frame(infos[-1]["path"])
+    """The picture of the run in a folder; None if it left no frame."""
+    moments = stored_moments(folder)
+    return picture_of(moments, moments[0].info.get("title") or folder.name, materials_of(folder), budget) if moments else None
+
+
+def picture_of(moments, title, materials, budget):
+    """(index, blocks by name) of moments; of text in base64 the blocks have at most about `budget` bytes."""
+    first, last = moments[0].load(), moments[-1].load()
     total = len(first["position"])
     size = sum(PackedFrame(frame).size() for frame in (first, last)) * 4 / 3
-    count, particles = plan(len(infos), total, size / (len(first["position"]) + len(last["position"])), budget)
+    count, particles = plan(len(moments), total, size / (total + len(last["position"])), budget)
     share = particles / total
-    index, blocks = head(folder, first), {}
-    index.update(total=total, frames=[], notes=notes(len(infos), count, total, share, budget))
+    index, blocks, walls = head(title, first, materials), {}, []
+    index.update(frames=[], notes=notes(len(moments), count, total, share, budget))
     index["disc"] *= share ** (-1.0 / index["dimension"])  # discs in place of more particles cover as much
-    known = {}
-    for info in chosen(infos, count):
-        packed = PackedFrame(load_frame(info["path"]), share)
-        walls = load_faces(folder, info["number"])
-        entry = dict(packed.entry, number=info["number"], outside=packed.outside)
-        if walls is not None:
-            said = json.dumps(walls_of(walls))
-            if said not in known:
-                known[said] = len(index["walls"])
-                index["walls"].append(json.loads(said))
-            entry["walls"] = known[said]
-        for name, block in packed.blocks.items():
-            blocks[f"{len(index['frames'])}/{name}"] = block
+    for moment in chosen(moments, count):
+        packed, faces = PackedFrame(moment.load(), share), moment.faces()
+        entry = dict(packed.entry, number=moment.number, outside=packed.outside)
+        if faces is not None:
+            shown = walls_of(faces)
+            if shown not in walls:
+                walls.append(shown)
+            entry["walls"] = walls.index(shown)
+        blocks.update((f"{len(index['frames'])}/{name}", block) for name, block in packed.blocks.items())
         index["frames"].append(entry)
+    index["walls"] = walls
     return index, blocks
 
 

@@ -22,6 +22,7 @@ try:
     from scarp_histories import history_figures
     from scarp_fos import fos_page
     from scarp_page import Page, Raw, badge, band, cannot_be_shown, number  # noqa: F401
+    from scarp_viewer import PICTURE_BYTES, moving_picture
 except ImportError as error:
     sys.exit(f"scarp report: {error}; install Debian's python3-matplotlib and python3-h5py.")
 
@@ -211,11 +212,14 @@ def machine_section(page, results):
     page.table(["", ""], rows)
 
 
-def run_parts(page, folder, results, level=2):
-    """Everything about one run except the machine."""
+def run_parts(page, folder, results, level=2, budget=0.0):
+    """Everything about one run except the machine. `budget`: bytes that the moving picture may take."""
     figures, source = folder / "figures", folder / "results.json"
     page.part(source, verdict_section, page, results)
     page.part(source, own_figures, page, folder, results)
+    if budget > 0:
+        page.section("Picture", level=level)
+        page.part(folder / "frames", moving_picture, page, folder, budget)
     page.section("Run", level=level)
     for draw in (facts_section, step_limits_section, profile_section):
         page.part(source, draw, page, results)
@@ -242,13 +246,14 @@ def title_of(folder, results):
     return str(results.get("title") or results.get("case") or folder.name)
 
 
-def report(folder, out=None):
-    """Writes the page of one run, or of what `scarp converge` or `scarp fos` left; returns its path."""
+def report(folder, out=None, budget=PICTURE_BYTES):
+    """Writes the page of one run, or of what `scarp converge` or `scarp fos` left; returns its path. `budget`: bytes that
+    the moving picture may take."""
     folder = pathlib.Path(folder)
     if (folder / "converge.json").exists():
         return converge_page(folder, out)
     if (folder / "fos.json").exists():
-        return fos_page(folder, out)
+        return fos_page(folder, out, lambda page, run: moving_picture(page, run, budget))
     require_run(folder)
     try:
         results, damage = read_results(folder), None
@@ -259,7 +264,7 @@ def report(folder, out=None):
         page.leave_out(damage)
     else:
         page.part(folder / "results.json", lambda: page.text(run_badge(results)))
-    run_parts(page, folder, results)
+    run_parts(page, folder, results, budget=budget)
     page.section("Machine, versions, numerics")
     page.part(folder / "results.json", machine_section, page, results)
     path = pathlib.Path(out or folder / "report.html")
@@ -295,6 +300,8 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description="Figures and a page of one run, or a page of several.")
     parser.add_argument("folders", nargs="+", metavar="DIR", help="output folder of a run")
     parser.add_argument("--page", metavar="OUT.html", help="one page over all folders")
+    parser.add_argument("--picture", metavar="MB", type=float, default=PICTURE_BYTES / 1e6,
+                        help="megabytes that the moving picture of one run may take, 0 for none")
     options = parser.parse_args(arguments)
     for folder in options.folders:
         if not pathlib.Path(folder).is_dir():
@@ -303,7 +310,7 @@ def main(arguments=None):
         print(overall_page(options.page, options.folders))
     else:
         for folder in options.folders:
-            print(report(folder))
+            print(report(folder, budget=1e6 * options.picture))
 
 
 def in_words(work, source):

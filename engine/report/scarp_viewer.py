@@ -7,6 +7,9 @@ import json
 import os
 import pathlib
 
+from scarp_picture import run_picture
+
+PICTURE_BYTES = 40e6  # that one may take, unless its reader says otherwise
 MISSING = ("The moving picture is left out: scarp was built without it. It needs npm (Debian's nodejs and npm) and, once, a "
            "network; then build again.")
 
@@ -30,9 +33,21 @@ def script_element():
     return f'<script>{script_file().read_text(encoding="utf-8")}</script>'
 
 
-def picture_page(title, element):
+def picture_page(title, element, script=None):
     """A page of its own that the picture fills."""
     return ('<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
             '<meta name="viewport" content="width=device-width,initial-scale=1">'
-            f"<title>{html.escape(title)}</title><style>body{{margin:0}}</style></head><body>\n{element}\n{script_element()}\n"
+            f"<title>{html.escape(title)}</title><style>body{{margin:0}}</style></head><body>\n{element}\n{script or script_element()}\n"
             "</body></html>\n")
+
+
+def moving_picture(page, folder, budget):
+    """Adds the particles of a run to a scarp_page.Page, to turn, colour and play; or why they are not there."""
+    if budget <= 0:
+        return
+    if script_file() is None:
+        page.text(MISSING)
+        return
+    made = run_picture(folder, budget)
+    if made is not None:
+        page.parts += [picture_element(*made), script_element()]

@@ -12,6 +12,7 @@ Simulation      its particles: step, run, field, view, probe, energies, reaction
 fos             factor of safety by strength reduction
 converge        estimates of the errors from three spacings
 element         one point of soil along a laboratory test
+Picture         particles to turn, colour and play, in a notebook or a page of its own
 read_frames     what a run left in its folder; read_table for its tables
 
 Numbers are SI, stresses positive in tension, tensors xx, yy, zz, xy, yz, zx. A text may carry a unit: "0.25 m". The results
@@ -29,6 +30,7 @@ except ImportError as error:
 from ._core import CheckpointError, Error, FileError, SceneError, SimulationInstability
 from ._core import version as __version__
 from .frames import Frame, Frames, read_frames, read_table
+from .picture import Picture
 from .records import FieldInfo, ModelStep, ProbeSample, StepReport
 from .scene import Scene
 from .simulation import Simulation
@@ -37,6 +39,6 @@ from .view import View
 
 __all__ = [
     "CheckpointError", "Convergence", "ElementTest", "Error", "FactorOfSafety", "FieldInfo", "FileError", "Frame", "Frames",
-    "ModelStep", "ProbeSample", "Scene", "SceneError", "Simulation", "SimulationInstability", "StepReport", "View",
+    "ModelStep", "Picture", "ProbeSample", "Scene", "SceneError", "Simulation", "SimulationInstability", "StepReport", "View",
     "converge", "element", "fos", "read_frames", "read_table",
 ]

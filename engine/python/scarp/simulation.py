@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Callable, Dict, Mapping, Optional, Union
+from typing import Any, Callable, Dict, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -249,6 +249,12 @@ class Simulation:
     def wall_positions(self) -> np.ndarray:
         """(n, 3) positions of the walls' dummy particles [m]."""
         return self._core.wall_positions()
+
+    def wall_faces(self) -> Tuple[np.ndarray, np.ndarray]:
+        """The faces of the walls that stand, where they are now: corners (n, 4, 3), in 2D (n, 2, 3) [m], and the number of each
+        one's wall in `scene.walls`."""
+        corners, walls = self._core.wall_faces()
+        return corners.reshape(-1, 2 if self.scene.dimension == 2 else 4, 3), walls.astype(int)
 
     # what is measured
 

@@ -9,7 +9,7 @@ for (const root of document.querySelectorAll(".scarp-picture")) {
   root.picture = new Picture(root);
   root.picture.begin().catch((error) => {
     console.error(error);
-    root.append(h("p", { className: "problem" }, `The picture cannot be shown: ${error.message} It needs a browser with WebGL 2 `
-      + "of 2023 or later."));
+    root.append(h("p", { className: "problem" }, `The picture cannot be shown: ${error.message}. It needs a browser of 2023 or `
+      + "later with WebGL."));
   });
 }

@@ -45,7 +45,7 @@ function spreadingStep(count) {
 }
 
 export class Particles {
-  constructor(shared, { shaded, plain = false, overlap = 1.3 }) {
+  constructor(shared, { shaded, plain = false, overlap }) {
     this.overlap = overlap;
     this.geometry = new THREE.BufferGeometry();
     this.uniforms = { ...shared, size: { value: 4 }, low: { value: 0 }, high: { value: 1 }, colours: { value: null },

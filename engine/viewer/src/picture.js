@@ -24,9 +24,8 @@ export class Picture {
   }
 
   async begin() {
-    this.index = await this.source.index();
+    await this.waitForFrames();
     const frames = this.index.frames;
-    if (!frames.length) throw new Error("The run has not written a frame yet.");
     this.number = frames.length - 1;
     const first = await this.entryOf(frames[0]);
     const last = await this.entryOf(frames[this.number]);
@@ -45,6 +44,15 @@ export class Picture {
     if (this.source.follows) this.follow();
   }
 
+  async waitForFrames() {
+    const waits = h("p", {}, "The run has not written a frame yet; the picture begins with the first one.");
+    while (!(this.index = await this.source.index()).frames.length) {
+      this.root.append(waits);
+      await new Promise((resolve) => setTimeout(resolve, 1000));
+    }
+    waits.remove();
+  }
+
   build() {
     const { dimension } = this.index;
     const host = h("div", { className: "host" });
@@ -55,8 +63,8 @@ export class Picture {
     });
     this.cuts = new Cuts(this.box, this.centre, dimension, () => this.stage.stir(), () => this.stage.facing);
     const { uniforms } = this.cuts;
-    this.particles = new Particles(uniforms, { shaded: dimension === 3 });
-    this.before = new Particles(uniforms, { shaded: false, plain: true });  // in a plane scene, where the soil was
+    this.particles = new Particles(uniforms, { shaded: dimension === 3, overlap: dimension === 3 ? 1.3 : 1.45 });
+    this.before = new Particles(uniforms, { shaded: false, plain: true, overlap: 1.45 });  // in a plane scene, where the soil was
     this.before.object.renderOrder = -1;
     this.before.object.position.z = -1e-3 * this.index.spacing;
     this.stage.scene.add(this.particles.object, this.before.object);
@@ -83,7 +91,7 @@ export class Picture {
 
   async entryOf(frame) {
     const entry = await this.source.entry(frame);
-    this.known.set(frame, entry);
+    this.known.set(frame.key ?? frame.number, entry);
     return entry;
   }
 
@@ -228,8 +236,10 @@ export class Picture {
         const atEnd = this.number >= this.index.frames.length - 1;
         const begunAnew = fresh.frames[0].key !== this.index.frames[0].key;
         this.index = fresh;
-        if (begunAnew) [this.start, this.picked] = [null, null];
-        this.known.clear();
+        if (begunAnew) {
+          [this.start, this.picked] = [null, null];
+          this.known.clear();
+        }
         await this.showFrame(atEnd || begunAnew ? fresh.frames.length - 1 : Math.min(this.number, fresh.frames.length - 1));
       } catch (error) {
         this.panel.say(`The run cannot be followed: ${error.message}. Is scarp watch still there?`);

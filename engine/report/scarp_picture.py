@@ -19,7 +19,7 @@ import zlib
 
 import numpy as np
 
-from scarp_frames import frame_info, in_view, load_faces, load_frame, read_json, read_series
+from scarp_frames import Damaged, frame_info, in_view, load_faces, load_frame, read_json, read_series
 
 MOST_POINTS = 2_000_000  # what an ordinary laptop turns at 20 pictures a second
 PLANE = {1: [0], 3: [0, 1], 6: [0, 1, 2, 3]}  # components that plane strain has
@@ -192,6 +192,12 @@ def walls_of(faces):
             "corners": [[round(float(x), 9) for x in face.ravel()] for face in faces["corners"]]}
 
 
+def bytes_per_particle(frames, share=1.0):
+    """Of the text in base64 of a share of the particles, over several frames."""
+    packed = [PackedFrame(frame, share) for frame in frames]
+    return sum(each.size() for each in packed) * 4 / 3 / sum(each.entry["count"] for each in packed)
+
+
 class StoredMoment:
     """A frame of a run's folder; other moments have the same members."""
 
@@ -206,28 +212,57 @@ class StoredMoment:
         return load_faces(self.folder, self.number)
 
 
-def stored_moments(folder):
-    return [StoredMoment(folder, n, path) for n, (path, _) in enumerate(read_series(folder)) if path.exists()]
+def stored_moments(folder, left_out):
+    """Those of a run's folder; `left_out` takes a sentence about each that is damaged."""
+    moments = []
+    for number, (path, _) in enumerate(read_series(folder)):
+        try:
+            if path.exists():
+                moments.append(StoredMoment(folder, number, path))
+        except Damaged as error:
+            left_out.append(str(error))
+    return moments
 
 
 def run_picture(folder, budget):
     """The picture of the run in a folder; None if it left no frame."""
-    moments = stored_moments(folder)
-    return picture_of(moments, moments[0].info.get("title") or folder.name, materials_of(folder), budget) if moments else None
+    left_out = []
+    moments = stored_moments(folder, left_out)
+    if not moments:
+        return None
+    return picture_of(moments, moments[0].info.get("title") or folder.name, materials_of(folder), budget, left_out)
 
 
-def picture_of(moments, title, materials, budget):
-    """(index, blocks by name) of moments; of text in base64 the blocks have at most about `budget` bytes."""
-    first, last = moments[0].load(), moments[-1].load()
+def _first_sound(moments, left_out):
+    for moment in moments:
+        try:
+            return moment.load()
+        except Damaged as error:
+            left_out.append(str(error))
+    raise Damaged(moments[0].path, "holds no particles, as no other frame does")
+
+
+def picture_of(moments, title, materials, budget, left_out=()):
+    """(index, blocks by name) of moments; of text in base64 the blocks have at most about `budget` bytes. What is damaged is
+    left out, and said to the reader after the sentences in `left_out`."""
+    left_out = list(left_out)
+    first, last = _first_sound(moments, left_out), _first_sound(moments[::-1], left_out)
     total = len(first["position"])
-    size = sum(PackedFrame(frame).size() for frame in (first, last)) * 4 / 3
-    count, particles = plan(len(moments), total, size / (total + len(last["position"])), budget)
-    share = particles / total
+    share = 1.0
+    for _ in range(3):  # the fewer they are the less well they compress
+        count, particles = plan(len(moments), total, bytes_per_particle((first, last), share), budget)
+        share = particles / total
+        if share == 1.0:
+            break
     index, blocks, walls = head(title, first, materials), {}, []
-    index.update(frames=[], notes=notes(len(moments), count, total, share, budget))
+    index["frames"] = []
     index["disc"] *= share ** (-1.0 / index["dimension"])  # discs in place of more particles cover as much
     for moment in chosen(moments, count):
-        packed, faces = PackedFrame(moment.load(), share), moment.faces()
+        try:
+            packed, faces = PackedFrame(moment.load(), share), moment.faces()
+        except Damaged as error:
+            left_out.append(str(error))
+            continue
         entry = dict(packed.entry, number=moment.number, outside=packed.outside)
         if faces is not None:
             shown = walls_of(faces)
@@ -237,6 +272,7 @@ def picture_of(moments, title, materials, budget):
         blocks.update((f"{len(index['frames'])}/{name}", block) for name, block in packed.blocks.items())
         index["frames"].append(entry)
     index["walls"] = walls
+    index["notes"] = notes(len(moments), count, total, share, budget) + [f"Left out: {why}" for why in dict.fromkeys(left_out)]
     return index, blocks
 
 

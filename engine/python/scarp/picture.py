@@ -58,10 +58,11 @@ class Picture:
         except ImportError as error:
             raise ImportError("pictures need h5py: install Debian's python3-h5py") from error
         self._moments: List[Any] = []
+        self._left_out: List[str] = []  # sentences about frames that are damaged
         if isinstance(source, (str, os.PathLike)):
             folder = pathlib.Path(source)
             try:
-                self._moments += scarp_picture.stored_moments(folder)
+                self._moments += scarp_picture.stored_moments(folder, self._left_out)
             except run_files.Damaged as error:
                 raise FileError(str(error)) from error
             if not self._moments:
@@ -85,7 +86,7 @@ class Picture:
         from . import scarp_picture, scarp_viewer
         if scarp_viewer.script_file() is None:
             raise Error(scarp_viewer.MISSING)
-        made = scarp_picture.picture_of(self._moments, self._title, self._materials, 1e6 * megabytes)
+        made = scarp_picture.picture_of(self._moments, self._title, self._materials, 1e6 * megabytes, self._left_out)
         return scarp_viewer.picture_page(self._title, scarp_viewer.picture_element(*made, css=" alone"))
 
     def save(self, path: Union[str, os.PathLike], megabytes: float = 40.0) -> None:

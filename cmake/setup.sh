@@ -34,6 +34,8 @@ installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2
   awk '$2 == "installed" { print $1 }') || true
 missing=()
 for package in "${wanted[@]}"; do
+  # Packages of nodejs that are not Debian's hold npm, and Debian's npm does not go with them.
+  if [[ $package == npm ]] && command -v npm >/dev/null; then continue; fi
   grep -qxF -- "$package" <<<"$installed" || missing+=("$package")
 done
 

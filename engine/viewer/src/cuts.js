@@ -2,7 +2,7 @@
 // Planes that take away what is beyond them: two along each axis, and one that faces the reader.
 import * as THREE from "three";
 import { h } from "./dom.js";
-import { shown } from "./scalars.js";
+import { shownPlace } from "./scalars.js";
 
 const steps = 1000;
 
@@ -29,15 +29,16 @@ export class Cuts {
       "aria-label": `${name}, ${words}`, oninput: () => update() });
     const [low, high] = [slider(0, "from"), slider(steps, "to")];
     const at = (input) => from + (input.value / steps) * (to - from);
+    const words = (start, end) => [start, end].map((x) => shownPlace(x + this.centre[axis], to - from)).join(" to ") + " m";
     const update = () => {
       const [start, end] = [at(low), at(high)];
       this.low.setComponent(axis, Number(low.value) === 0 ? -1e30 : start);
       this.high.setComponent(axis, Number(high.value) === steps ? 1e30 : end);
-      said.textContent = `${shown(start + this.centre[axis])} to ${shown(end + this.centre[axis])} m`;
+      said.textContent = words(start, end);
       this.apply();
     };
     this.resets = [...(this.resets ?? []), () => { low.value = 0; high.value = steps; update(); }];
-    said.textContent = `${shown(from + this.centre[axis])} to ${shown(to + this.centre[axis])} m`;
+    said.textContent = words(from, to);
     return h("div", { className: "cut" }, h("b", {}, name), low, high, said);
   }
 

@@ -13,7 +13,7 @@ export function h(tag, properties = {}, ...children) {
 
 /// A labelled choice; `choices`: [value, words].
 export function choice(words, choices, onchange, properties = {}) {
-  const select = h("select", { onchange: () => onchange(select.value), ...properties },
+  const select = h("select", { onchange: () => onchange(select.value), "aria-label": words, ...properties },
     ...choices.map(([value, said]) => h("option", { value }, said)));
   return { select, label: h("label", {}, h("span", {}, words), select) };
 }

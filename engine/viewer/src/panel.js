@@ -30,7 +30,8 @@ export class Panel {
       onclick: () => picture.setRange(null) }, "whole range");
     const map = choice("colours", mapNames.map((name) => [name, name]), (name) => { picture.choice.map = name; picture.showColours(); });
     this.range = h("span", { className: "group" }, "from ", this.low, " to ", this.high, " ", this.unit, this.own, map.label);
-    const colours = h("div", { className: "row" }, colour.label, this.range);
+    this.meaning = h("span", { className: "meaning" });
+    const colours = h("div", { className: "row" }, colour.label, this.range, this.meaning);
 
     const shows = h("div", { className: "row" });
     const tick = (words, checked, onchange) => h("label", {}, h("input", { type: "checkbox", checked, onchange() { onchange(this.checked); } }), words);
@@ -90,7 +91,8 @@ export class Panel {
     this.outside.textContent = entry.outside ?? "";
     this.outside.hidden = !entry.outside;
     this.colour.value = this.picture.choice.scalar.key;
-    this.colour.title = this.picture.choice.scalar.description;
+    const { description, field } = this.picture.choice.scalar;
+    this.meaning.textContent = description === field ? "" : description;
     this.showRange();
   }
 

@@ -71,7 +71,7 @@ export class Picture {
     this.overlay = new Overlay(this.stage);
     this.stage.afterDrawing = () => {
       this.overlay.update();
-      this.root.dataset.pictures = this.stage.pictures;
+      if (this.complete) Object.assign(this.root.dataset, { frame: this.number, ready: this.complete });
     };
     this.panel = new Panel(this);
     this.stage.fit(...this.box);
@@ -113,9 +113,8 @@ export class Picture {
     this.showColours();
     await this.showPicked();
     this.panel.update(entry);
+    this.complete = ticket;
     this.stage.redraw();
-    this.root.dataset.frame = number;
-    this.root.dataset.ready = ticket;
   }
 
   again() { return this.showFrame(this.number); }

@@ -60,3 +60,9 @@ export function shown(value) {
   if (Number.isInteger(value) && size < 1e15) return String(value);
   return size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(3) : String(Number(value.toPrecision(4)));
 }
+
+/// A coordinate to a thousandth of a length, or so.
+export function shownPlace(value, length) {
+  const decimals = Math.min(Math.max(2 - Math.floor(Math.log10(length || 1)), 0), 9);
+  return String(Number(value.toFixed(decimals)));
+}

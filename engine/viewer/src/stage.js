@@ -3,6 +3,8 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+THREE.ColorManagement.enabled = false;  // colours of a map are shown as they are
+
 const slow = 50;     // ms a picture while something is turned: beyond, fewer particles are drawn
 const quiet = 150;   // ms without a change after which all of them are drawn
 
@@ -14,16 +16,16 @@ export class Stage {
     this.renderer = new THREE.WebGLRenderer({ antialias: dimension === 2 || undefined, powerPreference: "high-performance" });
     this.renderer.setClearColor(0xffffff);
     this.renderer.localClippingEnabled = true;
-    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;  // colours of a map are shown as they are
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     host.append(this.renderer.domElement);
     this.canvas = this.renderer.domElement;
     this.scene = new THREE.Scene();
     this.camera = new THREE.OrthographicCamera();
     this.camera.up.set(0, dimension === 2 ? 1 : 0, dimension === 2 ? 0 : 1);
-    const sun = new THREE.DirectionalLight(0xffffff, 2.0);
+    const sun = new THREE.DirectionalLight(0xffffff, 1.3);
     this.camera.add(sun, sun.target);
     sun.position.set(-0.5, 0.8, 1);
-    this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 1.4));
+    this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 2.0));
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
@@ -36,6 +38,7 @@ export class Stage {
     this.restless = 0;    // when something last moved
     this.pictures = 0;
     this.controls.addEventListener("change", () => this.stir());
+    this.controls.addEventListener("start", () => { this.fitted = null; });
     new ResizeObserver(() => this.resize()).observe(host);
     this.resize();
   }
@@ -49,16 +52,19 @@ export class Stage {
     this.camera.bottom = -half;
     this.camera.left = -(width / height);
     this.camera.right = width / height;
-    this.update();
-  }
-
-  update() {
+    if (this.fitted) this.look();
     this.camera.updateProjectionMatrix();
     this.redraw();
   }
 
-  /// Looks at a box from outside, all of it in sight.
-  fit(low, high, azimuth = -58, elevation = 24) {
+  /// Looks at a box from outside, all of it in sight, also in another size of the canvas until somebody turns it.
+  fit(low, high) {
+    this.fitted = [low, high];
+    this.resize();
+  }
+
+  look(azimuth = -58, elevation = 24) {
+    const [low, high] = this.fitted;
     const box = new THREE.Box3(new THREE.Vector3(...low), new THREE.Vector3(...high));
     const middle = box.getCenter(new THREE.Vector3());
     this.radius = Math.max(box.getSize(new THREE.Vector3()).length() / 2, 1e-9);
@@ -71,19 +77,19 @@ export class Stage {
     this.camera.far = 60 * this.radius;
     this.camera.lookAt(middle);
     this.camera.updateMatrixWorld();
-    let [wide, high2] = [0, 0];
+    let [wide, tall] = [0, 0];
     for (const x of [low[0], high[0]]) for (const y of [low[1], high[1]]) for (const z of [low[2], high[2]]) {
       const corner = new THREE.Vector3(x, y, z).applyMatrix4(this.camera.matrixWorldInverse);
       wide = Math.max(wide, Math.abs(corner.x));
-      high2 = Math.max(high2, Math.abs(corner.y));
+      tall = Math.max(tall, Math.abs(corner.y));
     }
-    this.camera.zoom = 1 / Math.max(1.12 * high2, (1.08 * wide) / this.camera.right, 1e-9);
+    this.camera.zoom = 1 / Math.max(1.12 * tall, (1.08 * wide) / this.camera.right, 1e-9);
     this.controls.update();
-    this.update();
   }
 
   /// Turns by degrees: to the left, and up.
   turn(left, up) {
+    this.fitted = null;
     const offset = this.camera.position.clone().sub(this.controls.target);
     const radius = offset.length();
     const azimuth = Math.atan2(offset.y, offset.x) - THREE.MathUtils.degToRad(left);
@@ -95,6 +101,7 @@ export class Stage {
   }
 
   zoom(factor) {
+    this.fitted = null;
     this.camera.zoom *= factor;
     this.camera.updateProjectionMatrix();
     this.stir();

@@ -10,13 +10,13 @@ export function wallObject({ corners }, centre, clippingPlanes) {
   const ends = points.flatMap((face) => (face.length === 6 ? face : [0, 1, 2, 3].flatMap((corner) =>
     [corner, (corner + 1) % 4].flatMap((at) => face.slice(3 * at, 3 * at + 3)))));
   edges.setAttribute("position", new THREE.Float32BufferAttribute(ends, 3));
-  group.add(new THREE.LineSegments(edges, new THREE.LineBasicMaterial({ color: 0x444444 })));
+  group.add(new THREE.LineSegments(edges, new THREE.LineBasicMaterial({ color: 0x555555, clippingPlanes })));
   if (points.length && points[0].length === 12) {
     const faces = new THREE.BufferGeometry();
     const halves = points.flatMap((face) => [0, 1, 2, 0, 2, 3].flatMap((at) => face.slice(3 * at, 3 * at + 3)));
     faces.setAttribute("position", new THREE.Float32BufferAttribute(halves, 3));
     faces.computeVertexNormals();
-    group.add(new THREE.Mesh(faces, new THREE.MeshLambertMaterial({ color: 0xb9bec4, clippingPlanes, polygonOffset: true,
+    group.add(new THREE.Mesh(faces, new THREE.MeshLambertMaterial({ color: 0xd6dade, clippingPlanes, polygonOffset: true,
       polygonOffsetFactor: 2, polygonOffsetUnits: 2 })));
   }
   return group;
@@ -46,7 +46,7 @@ export function groundObject(positions, isPart, width, { colour, opacity = 1, cl
   }
   const points = new Float32Array(3 * top.length);
   top.forEach((height, at) => points.set([low[0] + (at % cells[0]) * width, low[1] + Math.floor(at / cells[0]) * width,
-    Number.isFinite(height) ? height : 0], 3 * at));
+    Number.isFinite(height) ? height + width / 2 : 0], 3 * at));  // particles end half a spacing above their middle
   const triangles = [];
   for (let b = 0; b + 1 < cells[1]; ++b) {
     for (let a = 0; a + 1 < cells[0]; ++a) {

@@ -12,6 +12,7 @@ import tempfile
 import unittest
 
 CPACK, BUILD, VERSION, PYTHON_FOLDER = sys.argv[1:5]
+VIEWER = os.path.exists(os.path.join(BUILD, "viewer", "scarp_viewer.js"))
 
 
 def package(folder, generator, pattern):
@@ -66,6 +67,15 @@ class Archive(unittest.TestCase):
         with open(self.path("share/doc/scarp/CITATION.cff"), encoding="utf-8") as file:
             self.assertIn(f"\nversion: {VERSION}\n", file.read())
 
+    @unittest.skipUnless(VIEWER, "the moving picture was not built")
+    def test_holds_the_moving_picture_and_its_licence(self):
+        for file in ("share/scarp/report/scarp_viewer.js", "share/doc/scarp/three.js.LICENSE"):
+            self.assertTrue(os.path.isfile(self.path(file)), file)
+        if PYTHON_FOLDER != "-":
+            self.assertTrue(os.path.isfile(self.path(PYTHON_FOLDER, "scarp", "scarp_viewer.js")))
+        with open(self.path("share/scarp/report/scarp_viewer.js"), encoding="utf-8") as file:
+            self.assertIn("Permission is hereby granted", file.read(2000))
+
     def test_leaves_out_the_program_under_another_licence(self):
         self.assertFalse(os.path.exists(self.path("bin/scarp-lammps")))
 
@@ -88,6 +98,8 @@ class DebianPackage(unittest.TestCase):
 
     def test_puts_files_where_debian_looks(self):
         places = ["bin/scarp", "share/man/man1/scarp.1.gz", "share/doc/scarp/copyright", "share/bash-completion/completions/scarp"]
+        if VIEWER:
+            places.append("share/scarp/report/scarp_viewer.js")
         for place in places + ([] if PYTHON_FOLDER == "-" else ["lib/python3/dist-packages/scarp/__init__.py"]):
             self.assertIn(f" ./usr/{place}\n", self.contents)
         self.assertNotIn("scarp-lammps", self.contents)

@@ -38,7 +38,10 @@ for number, cell in enumerate(cells):
     last = ast.Expression(tree.body.pop().value) if isinstance(tree.body[-1], ast.Expr) else None
     exec(compile(tree, f"{file.name}, cell {number}", "exec"), names)
     if last is not None:
-        print(eval(compile(last, f"{file.name}, cell {number}", "eval"), names))
+        value = eval(compile(last, f"{file.name}, cell {number}", "eval"), names)
+        print(value)
+        if hasattr(value, "_repr_html_"):  # which a notebook would show
+            print(f"HTML of {len(value._repr_html_())} letters")
     print(f"-- cell {number}: {time.monotonic() - began:.1f} s", flush=True)
 if not pictures:
     sys.exit(f"{file}: it draws no picture.")

@@ -82,7 +82,8 @@ class Picture:
         self._moments.append(_Moment(simulation, len(self._moments)))
 
     def html(self, megabytes: float = 40.0) -> str:
-        """The page. Where the data would take more, it has fewer moments, then fewer particles, and says so."""
+        """The page; where its data would take more, it has fewer moments, then fewer particles, and says so. Raises Error if scarp was
+        built without the viewer."""
         from . import scarp_picture, scarp_viewer
         if scarp_viewer.script_file() is None:
             raise Error(scarp_viewer.MISSING)
@@ -97,6 +98,9 @@ class Picture:
             raise FileError(f"'{os.fspath(path)}': cannot be written: {error.strerror}.") from error
 
     def _repr_html_(self) -> str:
+        from . import scarp_viewer
+        if scarp_viewer.script_file() is None:
+            return f"<p>{scarp_viewer.MISSING}</p>"
         return (f'<iframe srcdoc="{html.escape(self.html(), quote=True)}" style="width:100%;height:720px;border:0" '
                 'allowfullscreen></iframe>')
 

@@ -82,9 +82,9 @@ struct NewArguments {
 };
 
 struct ReportArguments {
-  std::string folder;            ///< of a run, `fos` or `converge`
+  std::string folder;             ///< of a run, `fos` or `converge`
   double picture_megabytes = 40;  ///< that the moving picture may take; 0: none
-  bool silent = false;           ///< the page's path is not printed
+  bool silent = false;            ///< the page's path is not printed
 };
 
 struct WatchArguments {

@@ -33,9 +33,9 @@ std::filesystem::path required_script(const char* name) {
   const std::filesystem::path script = report_script().replace_filename(name);
   std::error_code error;
   if (std::filesystem::exists(script, error)) return script;
-  throw FileError(fmt::format(
-      "'{}': the script is not there. Set SCARP_REPORT to the path of scarp_report.py.",
-      script.string()));
+  throw FileError(
+      fmt::format("'{}': the script is not there. Set SCARP_REPORT to the path of scarp_report.py.",
+                  script.string()));
 }
 
 }  // namespace

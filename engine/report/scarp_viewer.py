@@ -49,5 +49,7 @@ def moving_picture(page, folder, budget):
         page.text(MISSING)
         return
     made = run_picture(folder, budget)
-    if made is not None:
+    if made is None:
+        page.text("The run wrote no frames.")
+    else:
         page.parts += [picture_element(*made), script_element()]

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from .simulation import Simulation
 
 
+NOTEBOOK_MEGABYTES = 10.0  # that a notebook, which is saved with it, grows by at most
+
+
 class _Moment:
     """A simulation as it is now, in the form of run_files.load_frame and of scarp_picture.StoredMoment."""
 
@@ -101,7 +104,7 @@ class Picture:
         from . import scarp_viewer
         if scarp_viewer.script_file() is None:
             return f"<p>{scarp_viewer.MISSING}</p>"
-        return (f'<iframe srcdoc="{html.escape(self.html(), quote=True)}" style="width:100%;height:720px;border:0" '
+        return (f'<iframe srcdoc="{html.escape(self.html(NOTEBOOK_MEGABYTES), quote=True)}" style="width:100%;height:720px;border:0" '
                 'allowfullscreen></iframe>')
 
     def __repr__(self) -> str:

@@ -115,7 +115,14 @@ export class Stage {
 
   stir() {
     this.restless = performance.now();
+    this.stirred = true;
     this.redraw();
+  }
+
+  /// The next picture is one at rest, of all particles.
+  rest() {
+    this.restless = -Infinity;
+    this.stirred = false;
   }
 
   redraw() {
@@ -126,7 +133,8 @@ export class Stage {
 
   draw(now) {
     this.waits = false;
-    const moves = performance.now() - this.restless < quiet;
+    const moves = this.stirred || performance.now() - this.restless < quiet;  // one picture may take longer than that
+    this.stirred = false;
     if (moves && this.drawn) {
       const took = now - this.drawn;
       if (took > 1.2 * slow) this.share = Math.max(this.share * Math.max(slow / took, 0.1), 0.01);

@@ -47,7 +47,7 @@ async function opened(t, address, viewport = { width: 900, height: 900 }) {
     /// The canvas as it is at rest: [r, g, b, a, ...].
     window.pixels = () => {
       const { stage } = root.picture;
-      stage.restless = -Infinity;
+      stage.rest();
       stage.draw(performance.now());
       const { width, height } = stage.canvas;
       const copy = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
@@ -187,6 +187,25 @@ test("a scene in space turns with the mouse and with the keyboard, and comes clo
   await page.locator(".scarp-picture").press("-");
   const farther = await page.evaluate(() => window.covered());
   assert.ok(Math.abs(farther / was - 0.64) < 0.03, `0.8 of the size covers 0.64 of the area: ${farther / was}`);
+});
+
+test("while it is turned, a slow machine draws a part of the particles, and all of them at rest", async (t) => {
+  const page = await opened(t, "space.html");
+  const counts = await page.evaluate(async () => {
+    const { stage, particles } = document.querySelector(".scarp-picture").picture;
+    const drawn = () => particles.geometry.drawRange.count;
+    const all = particles.order.length;
+    stage.stir();
+    stage.draw(1000);
+    stage.stir();
+    stage.draw(1500);  // half a second later, ten times what it may take
+    const turned = drawn();
+    stage.rest();
+    stage.draw(1600);
+    return { all, turned, rested: drawn() };
+  });
+  assert.ok(counts.turned > 0 && counts.turned <= 0.11 * counts.all, `${counts.turned} of ${counts.all}`);
+  assert.equal(counts.rested, counts.all);
 });
 
 test("a cut takes away what is beyond it", async (t) => {

@@ -40,6 +40,7 @@ endif()
 # Documents keep their places among each other, so that links between them hold.
 file(GLOB_RECURSE scarp_documents RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
   engine/*.md engine/*.ipynb kernels/*.md validation/*.md validation/*.png bench/*.md)
+list(FILTER scarp_documents EXCLUDE REGEX node_modules)  # where somebody called npm in engine/viewer
 foreach(document IN LISTS scarp_documents ITEMS README.md CHANGELOG.md LICENSE)
   cmake_path(GET document PARENT_PATH folder)
   install(FILES ${document} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder})

@@ -13,7 +13,6 @@
 #include <system_error>
 
 #include "engine/check/stability_margin.hpp"
-#include "engine/cli/progress.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/run/run.hpp"
@@ -114,13 +113,16 @@ Simulation CaseRun::solve(const std::string& name, const Scene& scene,
   return simulation;
 }
 
+void CaseRun::announce(const std::string& name, const Simulation& simulation) const {
+  if (options_.quiet || !options_.names_runs) return;
+  fmt::print(stderr, "{}: {}, {} particles\n", result_.case_name, name, simulation.soil_count());
+}
+
 void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWriter* writer,
                         const std::function<void(const Simulation&)>& each_step,
                         CheckpointWriter* checkpoints) {
-  if (!options_.quiet) {
-    fmt::print(stderr, "{}: {}, {} particles\n", result_.case_name, name, simulation.soil_count());
-  }
-  cli::Progress progress(total_duration(simulation.scene()), options_.quiet);
+  announce(name, simulation);
+  cli::Progress progress(total_duration(simulation.scene()), options_.quiet, options_.whole);
   const double start = now_s(), cpu_start = cpu_now_s();
   const StepReport before = simulation.last_step();
   const auto book = [&] {

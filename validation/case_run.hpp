@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/cli/progress.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/run/checkpoint_writer.hpp"
 #include "engine/simulation.hpp"
@@ -31,6 +32,8 @@ struct CaseOptions {
   bool quiet = false;
   bool resume = false;  ///< keep what an earlier call finished, go on with what it began
   SetForecast* forecast = nullptr;  ///< told of the runs of studies; may be null
+  cli::WholeWork whole{};           ///< what the case is a part of
+  bool names_runs = true;           ///< each run is named on standard error before its steps
   /// A run with a particle faster than sound counts as unstable. Lost grains slow a run until it
   /// would never end.
   bool stop_when_supersonic = false;
@@ -73,6 +76,12 @@ class CaseRun {
   void run_stage(const std::string& name, Simulation& simulation, RunWriter* writer = nullptr,
                  const std::function<void(const Simulation&)>& each_step = {},
                  CheckpointWriter* checkpoints = nullptr);
+
+  /// Names a run that begins.
+  void announce(const std::string& name, const Simulation& simulation) const;
+
+  /// What the runs from here on are a part of.
+  void set_whole(cli::WholeWork whole) { options_.whole = std::move(whole); }
 
   void add(Measure measure) { result_.measures.push_back(std::move(measure)); }
   /// Books a run that was not stepped by this class.

@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
-#include "engine/cli/progress.hpp"
+#include "engine/cli/search_progress.hpp"
 #include "engine/output/text_file.hpp"
-#include "engine/run/run.hpp"
 
 namespace scarp::validation {
 
@@ -47,21 +45,18 @@ void write_bishop(const std::filesystem::path& path, const Slope& slope,
 FactorOfSafety search_factor(CaseRun& run, const std::string& name, StrengthReduction& slope,
                              const SearchOptions& search) {
   const std::string prefix = name.empty() ? "" : name + ", ";
-  std::optional<cli::Progress> progress;
+  cli::SearchProgress progress(nullptr, slope.criterion(), search, run.options().quiet);
+  bool named = false;
   const auto proceed = [&](const Simulation& now) {
-    if (!progress) {
-      progress.emplace(total_duration(now.scene()), run.options().quiet);
-      if (!run.options().quiet) {
-        fmt::print(stderr, "{}: {}SRF {:.4g}, {} particles\n", run.result().case_name, prefix,
-                   now.scene().stages.back().strength_reduction, now.soil_count());
-      }
-    }
-    progress->update(now);
-    return true;
+    const double reduction = now.scene().stages.back().strength_reduction;
+    if (!named) run.announce(fmt::format("{}SRF {:.4g}", prefix, reduction), now);
+    named = true;
+    return progress(now);
   };
-  return find_factor(slope, search, proceed, [&](const FactorOfSafety&, const Trial& trial) {
-    if (progress) progress->end();
-    progress.reset();
+  return find_factor(slope, search, proceed, [&](const FactorOfSafety& found, const Trial& trial) {
+    progress.end();
+    progress.learn(found);
+    named = false;
     run.add(RunCost{
         fmt::format("{}SRF {:.4g}", prefix, trial.reduction), trial.steps,
         static_cast<double>(trial.steps) * static_cast<double>(slope.settled().soil_count()),

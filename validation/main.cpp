@@ -14,6 +14,7 @@
 #include "engine/cli/ending.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
+#include "engine/output/results.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/units.hpp"
 #include "engine/team.hpp"
@@ -71,7 +72,7 @@ bool run_case(const CaseRow& row, const CaseOptions& options) {
   }
   if (options.forecast != nullptr) options.forecast->end(std::string(row.name));
   fmt::print("{}", console_table(run.result()));
-  fmt::print("  {}\n", write_report(run.folder()));
+  fmt::print("  {}\n", write_report(run.folder(), options.quiet));
   std::fflush(stdout);
   return passed(run.result());
 }
@@ -90,14 +91,14 @@ void forecast_runs(const std::vector<const CaseRow*>& rows, const CaseOptions& o
 }
 
 /// Draws the page over all cases in the folder, which cases.json names for it.
-void write_overview(const std::filesystem::path& folder) {
+void write_overview(const std::filesystem::path& folder, bool quiet) {
   nlohmann::ordered_json json{{"format", "scarp cases"}, {"version", 1}};
   json["cases"] = nlohmann::ordered_json::array();
   for (const CaseRow& row : case_list) {
     json["cases"].push_back({{"name", row.name}, {"set", row.set}, {"sentence", row.sentence}});
   }
   replace_file(folder / "cases.json", json.dump(2) + "\n");
-  fmt::print(stderr, "all cases: {}\n", write_report(folder));
+  fmt::print(stderr, "all cases: {}\n", write_report(folder, quiet));
 }
 
 int run_command(Arguments& arguments) {
@@ -118,11 +119,15 @@ int run_command(Arguments& arguments) {
   nlohmann::ordered_json results{{"format", "scarp validation"}, {"version", 1}};
   results["cases"] = nlohmann::ordered_json::array();
   for (const CaseRow* row : rows) {
+    if (rows.size() > 1) {
+      const std::size_t number = results["cases"].size() + 1;
+      options.whole.part = fmt::format("case {} of {}", number, rows.size());
+    }
     all_pass &= run_case(*row, options);
     results["cases"].push_back(read_json(options.out / row->name / "results.json"));
   }
   results["pass"] = all_pass;
-  if (rows.size() > 1) write_overview(options.out);
+  if (rows.size() > 1) write_overview(options.out, options.quiet);
   if (arguments.json == "-") fmt::print("{}\n", results.dump(2));
   if (!arguments.json.empty() && arguments.json != "-") {
     write_to_target(arguments.json, results.dump(2) + "\n");
@@ -131,7 +136,7 @@ int run_command(Arguments& arguments) {
 }
 
 /// Draws again the report of one case, of error against run time, or of everything in a folder.
-int report_command(const std::string& folder) {
+int report_command(const std::string& folder, bool quiet) {
   std::vector<std::filesystem::path> folders;
   const std::filesystem::path here = folder;
   const bool one = std::filesystem::exists(here / "results.json") ||
@@ -157,8 +162,8 @@ int report_command(const std::string& folder) {
   if (!one && std::filesystem::exists(here / "stability" / "stability.json")) {
     folders.push_back(here / "stability");
   }
-  for (const auto& path : folders) fmt::print("{}\n", write_report(path));
-  if (!one) write_overview(here);
+  for (const auto& path : folders) fmt::print("{}\n", write_report(path, quiet));
+  if (!one) write_overview(here, quiet);
   return ok;
 }
 
@@ -216,6 +221,7 @@ void add_stability(CLI::App& command, StabilityArguments& arguments) {
 
 int run_program(int argc, char** argv) {
   CLI::App app{"Runs scarp's validation cases and compares them with what is known"};
+  app.set_version_flag("--version", "scarp-validate " + program_version());
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 everything judged passes, 1 it does not, 2 bad usage, 130 stopped by a "
@@ -266,6 +272,7 @@ int run_program(int argc, char** argv) {
   report->add_option("folder", arguments.report_folder, "Folder of one case or of several")
       ->required()
       ->check(CLI::ExistingDirectory);
+  report->add_flag("-q,--quiet", options.quiet, "Show no progress");
 
   try {
     app.parse(argc, argv);
@@ -279,7 +286,7 @@ int run_program(int argc, char** argv) {
   try {
     if (*error_time) return error_time_command(arguments.error_time);
     if (*stability) return stability_command(arguments.stability);
-    return *run ? run_command(arguments) : report_command(arguments.report_folder);
+    return *run ? run_command(arguments) : report_command(arguments.report_folder, options.quiet);
   } catch (const Stopped&) {
     fmt::print(stderr, "To go on: the same command{}\n",
                *run ? " with --resume; cases that are finished are kept" : "");

@@ -12,14 +12,16 @@
 #include "validation/case_run.hpp"
 
 namespace scarp::validation {
-std::string write_report(const std::filesystem::path& folder) {
+std::string write_report(const std::filesystem::path& folder, bool quiet) {
   const std::filesystem::path script = data_folder() / "report.py";
   const std::string missing = "no report: ";
   std::error_code error;
   if (!std::filesystem::exists(script, error))
     return missing + "'" + script.string() + "' is not there.";
+  std::vector<std::string> words{folder.string()};
+  if (quiet) words.push_back("--quiet");
   try {
-    if (cli::run_python(script, {folder.string()}, false) == 0)
+    if (cli::run_python(script, words, false) == 0)
       return fmt::format("report: {}", (folder / "report.html").string());
   } catch (const FileError& problem) {
     return missing + problem.what();

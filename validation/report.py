@@ -126,6 +126,8 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir():
-        sys.exit("usage: report.py DIR (the folder of a case, of several, or of error_time)")
-    scarp.in_words(lambda: main(pathlib.Path(sys.argv[1])), sys.argv[1])
+    scarp.Progress.quiet = "--quiet" in sys.argv
+    words = [word for word in sys.argv[1:] if word != "--quiet"]
+    if len(words) != 1 or not pathlib.Path(words[0]).is_dir():
+        sys.exit("usage: report.py [--quiet] DIR (the folder of a case, of several, or of error_time)")
+    scarp.in_words(lambda: main(pathlib.Path(words[0])), words[0])

@@ -84,6 +84,7 @@ struct NewArguments {
 struct ReportArguments {
   std::string folder;             ///< of a run, `fos` or `converge`
   double picture_megabytes = 40;  ///< that the moving picture may take; 0: none
+  bool quiet = false;             ///< no progress
   bool silent = false;            ///< the page's path is not printed
 };
 

@@ -95,11 +95,21 @@ std::optional<SpacingRun> earlier_run(const fs::path& folder, const Simulation& 
   }
 }
 
+/// The runs at finer spacings take what this one takes, scaled by the cost of a spacing.
+WholeWork runs_from(std::size_t now, const std::array<double, 3>& spacings, int dimension) {
+  return {fmt::format("spacing {} of 3", now + 1), [=](double run_s) {
+            double ahead = 0.0;
+            for (std::size_t k = now + 1; k < spacings.size(); ++k)
+              ahead += forecast_wall(run_s, spacings[now], spacings[k], dimension);
+            return ahead;
+          }};
+}
+
 /// Runs to the end; without one the outputs are marked incomplete.
 void run_to_end(Simulation& simulation, const fs::path& folder,
-                const std::vector<EndQuantity>& quantities, bool quiet) {
+                const std::vector<EndQuantity>& quantities, bool quiet, const WholeWork& whole) {
   RunWriter writer(simulation, folder);
-  Progress progress(total_duration(simulation.scene()), quiet);
+  Progress progress(total_duration(simulation.scene()), quiet, whole);
   const auto after_step = [&](const Simulation& now) {
     progress.update(now);
     if (now.finished()) {
@@ -158,7 +168,8 @@ int converge(const ConvergeArguments& arguments) {
         fmt::print(stderr, "spacing {:g} m: {} soil particles, output in {}\n", spacings[k],
                    simulation.soil_count(), place.string());
       }
-      run_to_end(simulation, place, quantities, arguments.quiet);
+      run_to_end(simulation, place, quantities, arguments.quiet,
+                 runs_from(k, spacings, own.dimension));
       const LostSoil& lost = simulation.lost_soil();
       if (lost.particles > 0) {
         fmt::print(stderr, "warning: {}\n", lost.message(simulation.soil_count()));
@@ -186,7 +197,8 @@ int converge(const ConvergeArguments& arguments) {
   if (!arguments.scene.json.empty()) write_text(arguments.scene.json, json);
   std::fflush(stdout);
   try {  // without Python the numbers are there all the same
-    report_command({.folder = folder.string(), .silent = numbers_only});
+    report_command(
+        {.folder = folder.string(), .quiet = arguments.quiet, .silent = numbers_only});
   } catch (const FileError& error) {
     fmt::print(stderr, "no report: {}\n", error.what());
   }

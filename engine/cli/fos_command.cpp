@@ -106,7 +106,7 @@ int search_in(const fs::path& folder, const Scene& scene, const FosArguments& ar
       fmt::print(stderr, "{}\n", search_forecast(start, report.criterion, search));
   }
   write_search(folder, record);
-  TrialProgress progress(arguments.quiet);
+  SearchProgress progress(&scene, report.criterion, search, arguments.quiet);
   std::optional<StrengthReduction> standing =
       settle_in(folder, scene, arguments, report, record, progress);
   if (!standing) throw Stopped();
@@ -116,6 +116,7 @@ int search_in(const fs::path& folder, const Scene& scene, const FosArguments& ar
     fmt::print(stderr, "{} trials are known from before\n", record.trials.size());
   const auto done = [&](const FactorOfSafety& found, const Trial& trial) {
     progress.end();
+    progress.learn(found);
     report.found = found;
     report.criterion = slope.criterion();
     remember(record, found, trial);
@@ -144,6 +145,7 @@ int search_in(const fs::path& folder, const Scene& scene, const FosArguments& ar
     const std::optional<double> fails = report.found.bracket.fails;
     const bool shown = fails && record.failure_run == fails && run_is_finished(folder / "failure");
     if (fails && !shown) {
+      progress.show_failure();
       const bool whole = run_failure(slope, *fails, folder / "failure", std::ref(progress));
       progress.end();
       if (whole) record.failure_run = fails;
@@ -162,7 +164,9 @@ int search_in(const fs::path& folder, const Scene& scene, const FosArguments& ar
   write_outputs(report, slope.settled(), folder, arguments);
   end_search();
   try {  // without Python the numbers are there all the same
-    report_command({.folder = folder.string(), .silent = arguments.scene.json == "-"});
+    report_command({.folder = folder.string(),
+                    .quiet = arguments.quiet,
+                    .silent = arguments.scene.json == "-"});
   } catch (const FileError& error) {
     fmt::print(stderr, "no report: {}\n", error.what());
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "engine/check/trial.hpp"
+#include "engine/cli/search_progress.hpp"
 #include "engine/plain_text.hpp"
 
 namespace scarp::cli {
@@ -31,14 +32,9 @@ std::string search_forecast(const Simulation& start, const Criterion& criterion,
 std::string time_left(const SearchOptions& search, const FactorOfSafety& found) {
   const int left = trials_left(search, found.bracket);
   if (left == 0) return {};
-  double sum = found.elastic.wall_s;
-  int run = found.elastic.wall_s > 0.0 ? 1 : 0;
-  for (const Trial& trial : found.trials) {
-    sum += trial.wall_s;
-    run += trial.wall_s > 0.0 ? 1 : 0;
-  }
   const std::string count = fmt::format("at most {} more {}", left, left == 1 ? "trial" : "trials");
-  return run == 0 ? count : fmt::format("{}, {}", count, readable_duration(left * sum / run));
+  const std::optional<double> mean = seconds_per_trial(found);
+  return mean ? fmt::format("{}, {}", count, readable_duration(left * *mean)) : count;
 }
 
 }  // namespace scarp::cli

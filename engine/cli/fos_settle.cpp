@@ -62,7 +62,7 @@ class SettlingKeeper {
 
 std::optional<StrengthReduction> settle_in(const std::filesystem::path& folder, const Scene& scene,
                                            const FosArguments& arguments, FosReport& report,
-                                           SearchRecord& record, TrialProgress& progress) {
+                                           SearchRecord& record, SearchProgress& progress) {
   SettlingKeeper keeper(scene, folder, record);
   const auto told = [&](double strengthening) {
     progress.end();

@@ -137,6 +137,7 @@ int run_program(int argc, char** argv) {
   report_app->add_option("folder", report.folder, "Output folder of a run")
       ->required()
       ->check(CLI::ExistingDirectory);
+  add_quiet_option(*report_app, report.quiet);
   report_app
       ->add_option("--picture", report.picture_megabytes,
                    "Megabytes that the moving picture may take, 0 for none; default 40. Of a run "

@@ -41,8 +41,9 @@ std::filesystem::path required_script(const char* name) {
 }  // namespace
 
 int report_command(const ReportArguments& arguments) {
-  const std::vector<std::string> words{"--picture", fmt::format("{}", arguments.picture_megabytes),
-                                       "--", arguments.folder};
+  std::vector<std::string> words{"--picture", fmt::format("{}", arguments.picture_megabytes)};
+  if (arguments.quiet) words.push_back("--quiet");
+  words.insert(words.end(), {"--", arguments.folder});
   return run_python(required_script("scarp_report.py"), words, arguments.silent) == 0 ? ok : failed;
 }
 

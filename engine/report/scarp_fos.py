@@ -66,6 +66,7 @@ def fos_page(folder, out, moving_picture):
     study = read_json(folder / "fos.json")
     page = Page(study["title"] or folder.name,
                 f"scarp fos at a spacing of {study['spacing']:g} m, preset {study['preset']}")
+    page.progress.expect(3)  # plastic strain, displacement, trials
     factor = study["factor_of_safety"]
     if factor is None:
         page.text("No factor of safety was found.", problem=True)

@@ -11,6 +11,7 @@ def history_figures(page, folder, figures):
     for name, draw in (("probes", probe_figure), ("walls", wall_figure), ("energy", energy_figure),
                        ("history", step_figure)):
         path = folder / f"{name}.csv"
+        page.progress.expect(path.exists())
         page.part(path, draw_table, page, path, draw, figures / f"{name}.png")
 
 

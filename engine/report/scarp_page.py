@@ -8,6 +8,7 @@ import pathlib
 import sys
 
 from scarp_frames import Damaged
+from scarp_progress import Progress
 
 STYLE = """
 body{font:15px/1.45 "DejaVu Sans","Segoe UI",Helvetica,Arial,sans-serif;color:#1a1a1a;background:#fff;
@@ -108,6 +109,7 @@ class Page:
         self.title, self.parts = title, [f"<h1>{html.escape(title)}</h1>"]
         self.images = []  # bytes of the PNG figures, in order
         self.left_out = []  # sentences about what could not be shown
+        self.progress = Progress()
         if lead:
             self.parts.append(f'<p class="lead">{html.escape(lead)}</p>')
 
@@ -175,6 +177,7 @@ class Page:
             pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
             pathlib.Path(file).write_bytes(data.getvalue())
         self._image(data.getvalue(), "png", caption)
+        self.progress.step()
 
     def thumbnails(self, items):
         """Small pictures side by side, each (PNG file, link, caption)."""
@@ -196,6 +199,7 @@ class Page:
 
     def save(self, path):
         """Writes the page; what it leaves out is said on standard error too."""
+        self.progress.end()
         path = pathlib.Path(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         part = path.with_name(path.name + ".part")

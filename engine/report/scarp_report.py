@@ -21,6 +21,7 @@ try:
     from scarp_converge import converge_page
     from scarp_histories import history_figures
     from scarp_fos import fos_page
+    from scarp_progress import Progress
     from scarp_page import Page, Raw, badge, band, cannot_be_shown, number  # noqa: F401
     from scarp_viewer import PICTURE_BYTES, moving_picture
 except ImportError as error:
@@ -66,6 +67,7 @@ def particle_figures(page, folder, figures):
     initial = page.part(first["path"], load_frame, first["path"])
     draw = plane_frame if first["dimension"] == 2 else space_frame
     lines = []
+    page.progress.expect(len(ends) * (2 if first["dimension"] == 2 else 4))
     if initial is not None:
         lines = outline(initial) if first["dimension"] == 2 else outline(section(initial), axes=(0, 2))
     for end in ends:
@@ -302,7 +304,9 @@ def main(arguments=None):
     parser.add_argument("--page", metavar="OUT.html", help="one page over all folders")
     parser.add_argument("--picture", metavar="MB", type=float, default=PICTURE_BYTES / 1e6,
                         help="megabytes that the moving picture of one run may take, 0 for none")
+    parser.add_argument("--quiet", action="store_true", help="show no progress")
     options = parser.parse_args(arguments)
+    Progress.quiet = options.quiet
     for folder in options.folders:
         if not pathlib.Path(folder).is_dir():
             sys.exit(f"scarp report: '{folder}' is no folder; give the output folder of a run.")

@@ -63,7 +63,7 @@ int error_time_command(const ErrorTimeArguments& arguments) {
     write_to_target(arguments.json, json);
   }
   std::fflush(stdout);
-  fmt::print(stderr, "{}\n", write_report(options.out));
+  fmt::print(stderr, "{}\n", write_report(options.out, options.quiet));
   return 0;
 }
 

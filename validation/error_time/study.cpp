@@ -78,7 +78,8 @@ class Runner {
     CaseOptions of_case;
     of_case.out = options.out;
     of_case.run = options.run;
-    of_case.quiet = true;
+    of_case.quiet = options.quiet;
+    of_case.names_runs = false;  // `announce` does
     of_case.stop_when_supersonic = true;
     return of_case;
   }
@@ -112,7 +113,7 @@ class Runner {
           continue;
         }
         announce(trial, repeat, k + 1, trials);
-        log_.append(execute(trial, repeat));
+        log_.append(execute(trial, repeat, part_of(repeat, k + 1, trials)));
         record = log_.find(key(trial, repeat));
         tell(*record);
       }
@@ -120,7 +121,15 @@ class Runner {
     }
   }
 
-  RunRecord execute(const Trial& trial, int repeat) {
+  /// What is expected of the runs from the `next` one on, where it is known of all of them.
+  cli::WholeWork part_of(int repeat, std::size_t next, const std::vector<Trial>& trials) const {
+    cli::WholeWork whole{fmt::format("{} {} of {}", row_.name, next, trials.size())};
+    if (const std::optional<double> ahead = left(repeat, next, trials))
+      whole.ahead = [ahead](double) { return *ahead; };
+    return whole;
+  }
+
+  RunRecord execute(const Trial& trial, int repeat, cli::WholeWork whole) {
     RunRecord record;
     record.key = key(trial, repeat);
     record.setting = name_of(trial.setting);
@@ -128,6 +137,7 @@ class Runner {
     record.repeat = repeat;
     record.outcome = std::nan("");
     CaseRun run(std::string(row_.name), cases_.options());
+    run.set_whole(std::move(whole));
     try {
       Scene scene = run.scene_at(record.spacing, trial.setting.preset);
       scene.numerics = numerics_of(trial.setting, scene.numerics);

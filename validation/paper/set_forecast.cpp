@@ -45,18 +45,24 @@ double SetForecast::done_s() const {
   return sum;
 }
 
-void SetForecast::begin(const std::string& case_name, const std::string& run) {
+cli::WholeWork SetForecast::begin(const std::string& case_name, const std::string& run) {
   if (start_ == Clock::time_point{}) start_ = Clock::now();
-  if (quiet_ || entries_.empty()) return;
+  if (quiet_ || entries_.empty()) return {};
   const auto done = std::count_if(entries_.begin(), entries_.end(),
                                   [](const Entry& entry) { return entry.done; });
   const double total = total_s(), behind = done_s();
   // Runs that were shorter than their most, and a machine that others use, show in what has been.
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = (total - behind) * (behind > 0.0 ? elapsed / behind : 1.0);
+  const double scale = behind > 0.0 ? elapsed / behind : 1.0;
+  double own = 0.0;
+  for (const Entry& entry : entries_) {
+    if (entry.case_name == case_name && entry.run == run) own = entry.seconds;
+  }
   fmt::print(stderr, "set: run {} of {}, {:.0f} % behind, about {} left; {}: {}\n", done + 1,
-             entries_.size(), total > 0.0 ? 100.0 * behind / total : 0.0, readable_duration(left),
-             case_name, run);
+             entries_.size(), total > 0.0 ? 100.0 * behind / total : 0.0,
+             readable_duration((total - behind) * scale), case_name, run);
+  return {fmt::format("run {} of {}", done + 1, entries_.size()),
+          [after = (total - behind - own) * scale](double) { return after; }};
 }
 
 void SetForecast::end(const std::string& case_name, const std::string& run) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cli/progress.hpp"
 #include "engine/simulation.hpp"
 
 namespace scarp::validation {
@@ -27,7 +28,8 @@ class SetForecast {
   /// What has been planned, as a table.
   void print() const;
 
-  void begin(const std::string& case_name, const std::string& run);
+  /// Says which run begins; returns what it is a part of, nothing if nothing has been planned.
+  cli::WholeWork begin(const std::string& case_name, const std::string& run);
   void end(const std::string& case_name, const std::string& run);
   /// The same for everything of the case.
   void end(const std::string& case_name);

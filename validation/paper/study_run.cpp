@@ -111,7 +111,7 @@ Outcome outcome_of(CaseRun& run, const StudyRun& study, const Observer& observer
     return outcome;
   }
   if (run.options().forecast != nullptr)
-    run.options().forecast->begin(run.result().case_name, study.name);
+    run.set_whole(run.options().forecast->begin(run.result().case_name, study.name));
   try {
     Begun begun = same ? go_on_or_begin(study.scene, run.options().run, folder)
                        : begin(study.scene, run.options().run, folder);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "engine/errors.hpp"
 #include "engine/output/results.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/plain_text.hpp"
 #include "validation/report.hpp"
 #include "validation/stability/map_output.hpp"
 
@@ -43,6 +45,13 @@ int stability_command(const StabilityArguments& arguments) {
   const Bench bench{program_version(), probe.isa(), processor_name(), probe.threads(),
                     hash_of(read_text("/proc/self/exe"))};
   CellLog log(folder / "runs.jsonl");
+  const auto to_run = [&](std::size_t from) {
+    return std::count_if(
+        cells.begin() + static_cast<std::ptrdiff_t>(from), cells.end(),
+        [&](const Cell& cell) { return log.find(cell_key(bench, cell)) == nullptr; });
+  };
+  double spent = 0.0;  ///< by the cells that were run [s]
+  int run = 0;
   std::vector<CellOutcome> outcomes;
   bool pass = true;
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -54,15 +63,20 @@ int stability_command(const StabilityArguments& arguments) {
       fresh.key = key;
       log.append(fresh);
       record = log.find(key);
+      spent += record->wall_s;
+      ++run;
     }
     if (!arguments.quiet) {
-      fmt::print(stderr, "{}/{} {}, {} ({}{}): {}, {:.1f} s{}\n", k + 1, cells.size(), cell.axis,
-                 cell.value, cell.scene.numerics.preset,
-                 cell.scene.numerics.precision == Precision::mixed ? ", mixed" : "",
-                 word(record->verdict), record->wall_s,
-                 record->stable_cfl ? fmt::format(", stable to CFL {:.3g} of {:g}",
-                                                  *record->stable_cfl, cell.scene.numerics.cfl)
-                                    : std::string());
+      const double left = run > 0 ? static_cast<double>(to_run(k + 1)) * spent / run : 0.0;
+      fmt::print(
+          stderr, "{}/{} {}, {} ({}{}): {}, {:.1f} s{}{}\n", k + 1, cells.size(), cell.axis,
+          cell.value, cell.scene.numerics.preset,
+          cell.scene.numerics.precision == Precision::mixed ? ", mixed" : "", word(record->verdict),
+          record->wall_s,
+          record->stable_cfl ? fmt::format(", stable to CFL {:.3g} of {:g}", *record->stable_cfl,
+                                           cell.scene.numerics.cfl)
+                             : std::string(),
+          left > 0.0 ? fmt::format("; about {} left", readable_duration(left)) : std::string());
       std::fflush(stderr);
     }
     pass &= record->verdict != Verdict::failed;
@@ -76,7 +90,7 @@ int stability_command(const StabilityArguments& arguments) {
     for (const std::string& line : map_sentences(outcomes)) fmt::print("{}\n", line);
   }
   std::fflush(stdout);
-  fmt::print(stderr, "{}\n", write_report(folder));
+  fmt::print(stderr, "{}\n", write_report(folder, arguments.quiet));
   return pass ? 0 : 1;
 }
 

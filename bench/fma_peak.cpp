@@ -29,8 +29,12 @@ double measure(FmaWork (*work)(std::int64_t)) {
 double fma_peak(kernels::Isa isa) {
   static std::map<kernels::Isa, double> known;
   if (const auto at = known.find(isa); at != known.end()) return at->second;
+#if defined(__aarch64__)
+  return known[isa] = measure(fma_peak_neon);
+#else
   FmaWork (*const work[])(std::int64_t) = {fma_peak_sse2, fma_peak_avx2, fma_peak_avx512};
   return known[isa] = measure(work[static_cast<int>(isa)]);
+#endif
 }
 
 }  // namespace scarp::bench

@@ -15,6 +15,7 @@ struct FmaWork {
 FmaWork fma_peak_sse2(std::int64_t rounds);
 FmaWork fma_peak_avx2(std::int64_t rounds);
 FmaWork fma_peak_avx512(std::int64_t rounds);
+FmaWork fma_peak_neon(std::int64_t rounds);
 
 /// Best of 50 bursts of a few milliseconds [flop/s], measured once per instruction set and run.
 double fma_peak(kernels::Isa isa);

@@ -167,6 +167,12 @@ void set_pair_constants(State& state) {
 
 }  // namespace
 
+std::vector<std::string> isa_names() {
+  std::vector<std::string> names;
+  for (const kernels::Isa isa : kernels::compiled_isas()) names.push_back(kernels::isa_name(isa));
+  return names;
+}
+
 const kernels::KernelTable& choose_table(const RunOptions& options) {
   std::string wanted = options.isa;
   if (wanted.empty()) {

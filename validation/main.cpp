@@ -199,7 +199,7 @@ void add_error_time(CLI::App& command, ErrorTimeArguments& arguments) {
   command
       .add_option("--isa", arguments.options.run.isa,
                   "Use this instruction set; default: the best of the machine")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+      ->check(CLI::IsMember(isa_names()));
   command.add_option("--json", arguments.json,
                      "Write the sentences to this file, - for standard output");
   command.add_flag("-q,--quiet", arguments.options.quiet, "Show no progress");
@@ -214,7 +214,7 @@ void add_stability(CLI::App& command, StabilityArguments& arguments) {
   command
       .add_option("--isa", arguments.run.isa,
                   "Use this instruction set; default: the best of the machine")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+      ->check(CLI::IsMember(isa_names()));
   command.add_option("--json", arguments.json, "Write the map to this file, - for standard output");
   command.add_flag("-q,--quiet", arguments.quiet, "Show no progress");
 }
@@ -249,7 +249,7 @@ int run_program(int argc, char** argv) {
   run->add_option("--spacing", arguments.spacing, "Replace the particle spacing, e.g. \"0.5 m\"");
   run->add_option("--isa", options.run.isa,
                   "Use this instruction set; default: the best of the machine")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+      ->check(CLI::IsMember(isa_names()));
   run->add_flag("--resume", options.resume,
                 "Keep the runs that an earlier call with the same options finished, do the others");
   run->add_flag("--forecast", arguments.forecast_only,

@@ -12,7 +12,7 @@ void add_isa_option(CLI::App& command, scarp::RunOptions& options) {
   command
       .add_option("--isa", options.isa,
                   "Use this instruction set; default: the best of the machine")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}));
+      ->check(CLI::IsMember(scarp::isa_names()));
 }
 
 void add_threads_option(CLI::App& command, scarp::RunOptions& options) {

@@ -85,10 +85,16 @@ Json verdict(const RunResults& results) {
 
 std::string processor_name() {
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  std::string numbers;  // ARM tells no name
+  for (std::string line; std::getline(info, line) && !line.empty();) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos || colon + 2 >= line.size()) continue;
+    const std::string value = line.substr(colon + 2);
+    if (line.starts_with("model name")) return value;
+    if (line.starts_with("CPU implementer")) numbers += "ARM, implementer " + value;
+    if (line.starts_with("CPU part")) numbers += ", part " + value;
   }
-  return "unknown";
+  return numbers.empty() ? "unknown" : numbers;
 }
 
 nlohmann::ordered_json json_of(const Measure& measure) {

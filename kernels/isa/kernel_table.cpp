@@ -39,13 +39,25 @@ PairSweep<float> KernelTable::mixed_sweep_for(const SweepVariant& wanted) const 
   return first_that_covers(mixed, wanted);
 }
 
-std::span<const Isa> available_isas() {
+#if defined(__aarch64__)
+std::span<const Isa> compiled_isas() {
+  static constexpr Isa all[]{Isa::neon};
+  return all;
+}
+std::span<const Isa> available_isas() { return compiled_isas(); }
+
+const KernelTable& kernels_of(Isa) { return neon_kernels(); }
+#else
+std::span<const Isa> compiled_isas() {
   static constexpr Isa all[]{Isa::sse2, Isa::avx2, Isa::avx512};
+  return all;
+}
+std::span<const Isa> available_isas() {
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") &&
                       __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl");
-  return std::span(all).first(avx512 ? 3 : avx2 ? 2 : 1);
+  return compiled_isas().first(avx512 ? 3 : avx2 ? 2 : 1);
 }
 
 const KernelTable& kernels_of(Isa isa) {
@@ -54,16 +66,16 @@ const KernelTable& kernels_of(Isa isa) {
       return avx512_kernels();
     case Isa::avx2:
       return avx2_kernels();
-    case Isa::sse2:
-      break;
+    default:
+      return sse2_kernels();
   }
-  return sse2_kernels();
 }
+#endif
 
 const char* isa_name(Isa isa) { return kernels_of(isa).name; }
 
 std::optional<Isa> isa_named(std::string_view name) {
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : compiled_isas()) {
     if (name == isa_name(isa)) return isa;
   }
   return std::nullopt;

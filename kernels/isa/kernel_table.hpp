@@ -16,7 +16,7 @@ namespace scarp::kernels {
 
 struct ModelInfo;
 
-enum class Isa { sse2, avx2, avx512 };
+enum class Isa { sse2, avx2, avx512, neon };
 
 /// What a sweep sums in how many dimensions; a kernel compiled for more serves a scene that uses
 /// less.
@@ -61,13 +61,19 @@ struct KernelTable {
   PairSweep<float> mixed_sweep_for(const SweepVariant& wanted) const;
 };
 
+/// Each is compiled for the processors that it is an instruction set of (cmake/isa.cmake).
 const KernelTable& sse2_kernels();
 const KernelTable& avx2_kernels();
 const KernelTable& avx512_kernels();
+const KernelTable& neon_kernels();
 
-/// Instruction sets this machine can run, best last.
+/// Instruction sets of this processor's family, best last.
+std::span<const Isa> compiled_isas();
+/// Those that this machine can run: the first of them, best last.
 std::span<const Isa> available_isas();
+/// Pre: it is compiled.
 const KernelTable& kernels_of(Isa isa);
+/// Of a compiled one.
 std::optional<Isa> isa_named(std::string_view name);
 const char* isa_name(Isa isa);
 

@@ -115,7 +115,7 @@ TEST(PositivePartTest, KnowsCompression) {
 /// Error of the factor as the sweep evaluates it, over the greater of F^n and F^n(dx) = 1.
 double fit_error(const SmoothingForm& form, double spacing_ratio, double exponent) {
   const TensionFactorFit fit = fit_tension_factor(form, spacing_ratio, exponent);
-  using B = Batch<double, xsimd::sse2>;
+  using B = Batch<double, xsimd::default_arch>;
   double worst = 0.0;
   for (int k = 0; k <= 4000; ++k) {
     const double q = 0.0005 * k;
@@ -167,8 +167,8 @@ TEST(TensionFactorTest, SinglePrecisionAddsLittle) {
       const double q = 0.0005 * k;
       alignas(16) double exact[2];
       alignas(16) float got[4];
-      tension_factor(TruncatedPowers(Batch<double, xsimd::sse2>(q)), wide).store_aligned(exact);
-      tension_factor(TruncatedPowers(Batch<float, xsimd::sse2>(static_cast<float>(q))), narrow)
+      tension_factor(TruncatedPowers(Batch<double, xsimd::default_arch>(q)), wide).store_aligned(exact);
+      tension_factor(TruncatedPowers(Batch<float, xsimd::default_arch>(static_cast<float>(q))), narrow)
           .store_aligned(got);
       const double scale =
           std::fmax(1.0, std::pow(yang_liu.shape(q) / yang_liu.shape(1.0 / 1.2), exponent));

@@ -16,15 +16,16 @@ namespace {
 using namespace kernels;
 
 TEST(KernelTableTest, NamesAreTheirOwnInverse) {
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512})
+  for (const Isa isa : compiled_isas())
     EXPECT_EQ(isa_named(isa_name(isa)), isa);
   EXPECT_EQ(isa_named("avx"), std::nullopt);
   EXPECT_EQ(isa_named(""), std::nullopt);
 }
 
-TEST(KernelTableTest, EveryMachineHasSse2First) {
+TEST(KernelTableTest, EveryMachineHasTheFirst) {
   ASSERT_FALSE(available_isas().empty());
-  EXPECT_EQ(available_isas().front(), Isa::sse2);
+  ASSERT_LE(available_isas().size(), compiled_isas().size());
+  EXPECT_EQ(available_isas().front(), compiled_isas().front());
   for (const Isa isa : available_isas()) EXPECT_EQ(kernels_of(isa).isa, isa);
 }
 
@@ -88,7 +89,7 @@ void expect_most_special(std::span<const CompiledSweep<Real>> sweeps, PairSweep<
 }
 
 TEST(KernelTableTest, EveryHalfOfEverySceneIsCoveredByTheMostSpecialKernel) {
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : compiled_isas()) {
     const KernelTable& table = kernels_of(isa);
     for (const int dimension : {2, 3}) {
       for (const TermSet scene : all_scenes()) {
@@ -104,7 +105,7 @@ TEST(KernelTableTest, EveryHalfOfEverySceneIsCoveredByTheMostSpecialKernel) {
 
 TEST(KernelTableTest, ASweepOfBothHalvesSumsBothOrIsNotThere) {
   constexpr TermSet halves{Term::velocity_gradient, Term::momentum};
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : compiled_isas()) {
     const KernelTable& table = kernels_of(isa);
     for (const TermSet scene : all_scenes()) {
       const PairSweep<double> sweep = table.sweep_for({3, scene});
@@ -123,16 +124,19 @@ TEST(KernelTableTest, ASweepOfBothHalvesSumsBothOrIsNotThere) {
 }
 
 TEST(KernelTableTest, StaysSmall) {
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : compiled_isas()) {
     const KernelTable& table = kernels_of(isa);
     EXPECT_LE(table.sweeps.size() + table.mixed.size(), 38u) << isa_name(isa);
     EXPECT_GT(table.cluster_size, 0);
   }
-  EXPECT_LE(kernels_of(Isa::sse2).sweeps.size(), 10u);
+  // A set that a machine only has besides a better one needs no special kernels.
+  if (compiled_isas().size() > 1) {
+    EXPECT_LE(kernels_of(compiled_isas().front()).sweeps.size(), 10u);
+  }
 }
 
 TEST(KernelTableTest, EveryEntryIsThere) {
-  for (const Isa isa : {Isa::sse2, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : compiled_isas()) {
     const KernelTable& table = kernels_of(isa);
     for (const std::size_t d : {0u, 1u}) {
       for (const auto& sweeps : table.wall_sweep) EXPECT_NE(sweeps[d], nullptr);

@@ -231,8 +231,8 @@ using WithWater = TermList<Continuity, VelocityGradient, Moment, StressDiffusion
                            Momentum, Viscosity, ScalarDiffusion>;
 
 TEST(PairTermsTest, ATermFromOutsideIsSummedWithTheOthers) {
-  using Sse2 = xsimd::sse2;
-  constexpr int size = cluster_size<double, Sse2>;
+  using Arch = xsimd::default_arch;
+  constexpr int size = cluster_size<double, Arch>;
   const ReferenceSettings settings = settings_for(ReferenceSmoothing::cubic_spline, 2);
   const ReferenceParticles particles = block(2);
   PackedParticles packed(particles, settings, size);
@@ -250,7 +250,7 @@ TEST(PairTermsTest, ATermFromOutsideIsSummedWithTheOthers) {
   view.output[output] = water.data();
   constexpr TermSet set{Term::momentum, Term::viscosity, Term::artificial_stress,
                         ScalarDiffusion::term};
-  pair_sweep<Sse2, double, 2, set, WithWater>(view, 0, packed.soil_clusters());
+  pair_sweep<Arch, double, 2, set, WithWater>(view, 0, packed.soil_clusters());
 
   const double h = settings.smoothing_length;
   for (std::size_t i = 0; i < particles.soil_count; ++i) {
@@ -274,7 +274,7 @@ TEST(PairTermsTest, ATermFromOutsideIsSummedWithTheOthers) {
   // The others are summed as without it.
   SweepOutput plain(packed.slots());
   plain.attach(view);
-  pair_sweep<Sse2, double, 2, TermSet{Term::momentum, Term::viscosity, Term::artificial_stress}>(
+  pair_sweep<Arch, double, 2, TermSet{Term::momentum, Term::viscosity, Term::artificial_stress}>(
       view, 0, packed.soil_clusters());
   EXPECT_TRUE(same(out, plain));
 }

@@ -23,7 +23,7 @@ class Simulation:
         x, y, _ = simulation.field("position").T
 
     `threads`: exactly that many; None: as many as make it faster. The results do not depend on it, bit for bit. `isa`: "sse2",
-    "avx2" or "avx512"; None: the best of the machine. `oversubscribe` allows up to 16 threads on fewer cores, for tests.
+    "avx2" or "avx512", on ARM "neon"; None: the best of the machine. `oversubscribe` allows up to 16 threads on fewer cores, for tests.
     `particles` takes the place of what the scene's bodies would be filled with: a dict of "position" (n, 2 or 3) [m] and, where wanted, "velocity",
     "material" (indices), "id", "stress" (n, 6) and "density".
 

@@ -15,6 +15,7 @@ set(scarp_public_headers
   engine/fos/limit_search.hpp
   engine/fos/strength_reduction.hpp
   engine/integrate/step_report.hpp
+  engine/isa_names.hpp
   engine/output/checkpoint_file.hpp
   engine/output/file_mark.hpp
   engine/output/frame_writer.hpp

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "engine/step/reduction.hpp"
 
@@ -17,7 +16,7 @@ struct RunOptions {
   /// Exactly that many; empty: as many as pay at the moment, at most what OpenMP would take (see
   /// `Team`). Errors: SceneError if there are fewer cores, and below 1.
   std::optional<int> threads{};
-  std::string isa{};  ///< of `isa_names`; empty: SCARP_ISA, else the best the machine has
+  std::string isa{};  ///< see isa_names.hpp; empty: SCARP_ISA, else the best the machine has
   bool oversubscribe = false;  ///< allows up to 16 threads on fewer cores: slow, for tests
   /// Whether to stop: looked at before each step and within the set-up, by copies of a simulation
   /// too, in the thread that called. Cheap, and safe to call at any time; empty: never.
@@ -26,9 +25,5 @@ struct RunOptions {
   /// simulation share it.
   std::shared_ptr<Reduction> reduction = {};
 };
-
-/// Instruction sets that the library has kernels for, best last: "sse2", "avx2", "avx512", or "neon"
-/// on 64-bit ARM. A machine may lack the better ones.
-std::vector<std::string> isa_names();
 
 }  // namespace scarp

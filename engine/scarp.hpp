@@ -13,6 +13,7 @@
 #include "engine/element/element_path.hpp"
 #include "engine/errors.hpp"
 #include "engine/fos/strength_reduction.hpp"
+#include "engine/isa_names.hpp"
 #include "engine/output/checkpoint_file.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/run/checkpoint_writer.hpp"

@@ -12,6 +12,7 @@
 #include "engine/boundary/wall_joints.hpp"
 #include "engine/errors.hpp"
 #include "engine/integrate/lattice_sums.hpp"
+#include "engine/isa_names.hpp"
 #include "engine/parallel.hpp"
 #include "engine/particles/generate.hpp"
 #include "engine/particles/probe_particles.hpp"

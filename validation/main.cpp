@@ -14,6 +14,7 @@
 #include "engine/cli/ending.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/errors.hpp"
+#include "engine/isa_names.hpp"
 #include "engine/output/results.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/scene/units.hpp"

@@ -88,6 +88,7 @@ Json summary(const Scene& scene, const Subject& subject) {
     json["materials"].push_back({{"name", scene.materials[m].name},
                                  {"model", scene.materials[m].model.name()},
                                  {"particles", shown(subject.particles[m], subject.coarser)},
+                                 {"density", scene.materials[m].density},
                                  {"k0", k0_of(scene, scene.materials[m])}});
   }
   for (const Stage& stage : scene.stages) {
@@ -200,10 +201,14 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
                      readable_duration(forecast.wall_s),
                      json["particle_steps_per_s"].get<double>() / 1e6));
   }
+  const Vec3& g = scene.gravity;
+  const double gravity = std::hypot(g[0], g[1], g[2]);
   fmt::print("\nmaterials\n");
   for (const Json& material : json["materials"]) {
-    fmt::print("  {:<20} {:<18} {} particles\n", material["name"].get<std::string>(),
-               material["model"].get<std::string>(), material["particles"].get<std::size_t>());
+    const double density = material["density"].get<double>();
+    fmt::print("  {:<20} {:<18} {} particles, {:.4g} kg/m3, which weigh {:.4g} kN/m3\n",
+               material["name"].get<std::string>(), material["model"].get<std::string>(),
+               material["particles"].get<std::size_t>(), density, 1e-3 * density * gravity);
   }
   fmt::print("\nstages\n");
   for (const Stage& stage : scene.stages) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/isa_names.hpp"
 #include "engine/team.hpp"
 
 namespace scarp::cli {

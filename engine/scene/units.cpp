@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace scarp {
 namespace {
@@ -96,6 +97,25 @@ bool same_letters(std::string_view a, std::string_view b) {
                     [&](char p, char q) { return small(p) == small(q); });
 }
 
+/// A unit as the table has it, from how people write it: "kN/m³", "30°", "10 feet".
+std::string usual_spelling(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> signs[] = {{"²", "2"}, {"³", "3"}},
+                                                          words[] = {
+                                                              {"°", "deg"},       {"degree", "deg"},
+                                                              {"degrees", "deg"}, {"foot", "ft"},
+                                                              {"feet", "ft"},     {"inch", "in"},
+                                                              {"inches", "in"}};
+  std::string usual(name);
+  for (const auto& [sign, digit] : signs) {
+    if (const std::size_t at = usual.find(sign); at != std::string::npos)
+      usual.replace(at, sign.size(), digit);
+  }
+  for (const auto& [word, unit] : words) {
+    if (usual == word) return std::string(unit);
+  }
+  return usual;
+}
+
 /// Throws if the number goes on behind a comma, "1,5 m": then a point is meant.
 void refuse_decimal_comma(std::string_view number, std::string_view rest, std::string_view text) {
   if (rest.size() < 2 || rest[0] != ',' || rest[1] < '0' || rest[1] > '9') return;
@@ -175,7 +195,7 @@ double parse_quantity(std::string_view text, Unit unit) {
   }
   const auto digits = static_cast<std::size_t>(end - rest.data());
   refuse_decimal_comma(rest.substr(0, digits), rest.substr(digits), rest);
-  const std::string_view name = trimmed(rest.substr(digits));
+  const std::string name = usual_spelling(trimmed(rest.substr(digits)));
   if (unit == Unit::none || unit == Unit::choice) {
     throw UnitError("a plain number without unit and quotes is needed. Try 1.5.");
   }

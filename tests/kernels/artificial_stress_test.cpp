@@ -167,8 +167,10 @@ TEST(TensionFactorTest, SinglePrecisionAddsLittle) {
       const double q = 0.0005 * k;
       alignas(16) double exact[2];
       alignas(16) float got[4];
-      tension_factor(TruncatedPowers(Batch<double, xsimd::default_arch>(q)), wide).store_aligned(exact);
-      tension_factor(TruncatedPowers(Batch<float, xsimd::default_arch>(static_cast<float>(q))), narrow)
+      tension_factor(TruncatedPowers(Batch<double, xsimd::default_arch>(q)), wide)
+          .store_aligned(exact);
+      tension_factor(TruncatedPowers(Batch<float, xsimd::default_arch>(static_cast<float>(q))),
+                     narrow)
           .store_aligned(got);
       const double scale =
           std::fmax(1.0, std::pow(yang_liu.shape(q) / yang_liu.shape(1.0 / 1.2), exponent));

@@ -16,8 +16,7 @@ namespace {
 using namespace kernels;
 
 TEST(KernelTableTest, NamesAreTheirOwnInverse) {
-  for (const Isa isa : compiled_isas())
-    EXPECT_EQ(isa_named(isa_name(isa)), isa);
+  for (const Isa isa : compiled_isas()) EXPECT_EQ(isa_named(isa_name(isa)), isa);
   EXPECT_EQ(isa_named("avx"), std::nullopt);
   EXPECT_EQ(isa_named(""), std::nullopt);
 }

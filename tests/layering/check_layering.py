@@ -120,7 +120,7 @@ FLOORS = (
     ("cells/", "step/"),
     ("neighbours/", "sweep/", "sleep/"),
     ("boundary/",),
-    ("integrate/", "energy/", "stages/", "watch/", "features.", "run_options."),
+    ("integrate/", "energy/", "stages/", "watch/", "features.", "isa_names.", "run_options."),
     ("state.",),
     ("setup.", "checkpoint/", "integrate/stress_phase."),
     ("simulation.",),

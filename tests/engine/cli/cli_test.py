@@ -98,7 +98,8 @@ class CliTest(unittest.TestCase):
     def test_check_says_what_the_scene_is(self):
         done = self.scarp("check", "block.toml", "--json", "check.json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        for word in ("32 soil", "plane strain", "rock", "short", "memory", "time step"):
+        for word in ("32 soil", "plane strain", "rock", "short", "memory", "time step",
+                     "2000 kg/m3, which weigh 19.62 kN/m3"):
             self.assertIn(word, done.stdout)
         numbers = json.loads((self.folder / "check.json").read_text())
         self.assertEqual(numbers["particles"], 32)

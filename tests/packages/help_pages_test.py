@@ -3,6 +3,7 @@
 
 usage: help_pages_test.py FOLDER_OF_PROGRAMS FOLDER_OF_PAGES"""
 import os
+import platform
 import re
 import shutil
 import subprocess

@@ -101,7 +101,7 @@ class PagesTest(common.TestCase):
 
     def test_of_the_module(self):
         *blocks, model = self.blocks("engine/python/README.md", "python")
-        self.assertEqual(len(blocks), 3)
+        self.assertEqual(len(blocks), 4)
         names = {}
         self.run_blocks(blocks, names)
         self.assertEqual(scarp.Scene.from_toml("bank.toml").spacing, 0.25)  # saved by the page

@@ -65,18 +65,29 @@ def quoted(text):
 
 
 class Tags(html.parser.HTMLParser):
-    """Everything in a page that is markup: tags with the attributes that could act, and texts."""
+    """Everything in a page that is markup: tags with the attributes that could act, and texts; scripts apart."""
 
     def __init__(self):
         super().__init__()
-        self.tags, self.texts = set(), []
+        self.tags, self.texts, self.scripts = set(), [], []
+        self.in_script = False
 
     def handle_starttag(self, tag, attrs):
-        self.tags.add(tag)
+        self.in_script = tag == "script"
+        if self.in_script:
+            self.scripts.append("")
+        else:
+            self.tags.add(tag)
         self.tags.update(name for name, _ in attrs if name.startswith("on"))
 
+    def handle_endtag(self, tag):
+        self.in_script = False
+
     def handle_data(self, data):
-        self.texts.append(data)
+        if self.in_script:
+            self.scripts[-1] += data
+        else:
+            self.texts.append(data)
 
 
 class NamesTest(unittest.TestCase):
@@ -123,15 +134,20 @@ class NamesTest(unittest.TestCase):
             self.assertIn(name, done.stdout.decode())
             self.assertEqual(json.loads((self.folder / "check.json").read_text("utf-8"))["title"], name)
 
-    def expect_harmless_page(self, path, title):
+    def expect_harmless_page(self, path, name, title):
+        """Returns how many scripts it has: the particles of the moving picture, and what draws them."""
         page = Tags()
         page.feed(path.read_text("utf-8"))
         self.assertLessEqual(page.tags, {"html", "head", "meta", "title", "style", "body", "h1", "h2", "h3", "p", "div",
                                          "table", "thead", "tbody", "tr", "th", "td", "figure", "img", "figcaption",
                                          "span", "br", "a"})
         self.assertIn(title, page.texts)
+        if "<" in name:
+            self.assertFalse([text for text in page.scripts if name in text])
+        return len(page.scripts)
 
     def test_pages_show_names_and_run_none(self):
+        scripts = set()
         for name in ("<script>alert(1)<script>", "<img src=x onerror=alert(1)>", "$x^$", "_hidden", "time", "nan"):
             self.write(b"scene.toml", name + "</h1>", name)
             done = self.scarp("run", "scene.toml", "-o", "out", "--overwrite", "--quiet", "--threads", "1")
@@ -139,7 +155,8 @@ class NamesTest(unittest.TestCase):
             done = self.scarp("report", "out")
             # A label that a figure leaves out is told in a warning.
             self.assertEqual((done.returncode, done.stderr), (0, b""), name)
-            self.expect_harmless_page(self.folder / "out" / "report.html", name + "</h1>")
+            scripts.add(self.expect_harmless_page(self.folder / "out" / "report.html", name, name + "</h1>"))
+        self.assertEqual(len(scripts), 1)  # a name adds none
 
     def test_names_that_act_are_refused_with_their_line(self):
         for name in BAD:

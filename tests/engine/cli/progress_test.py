@@ -93,7 +93,6 @@ class ProgressTest(unittest.TestCase):
         said = self.on_terminal("converge", "column.toml", "--spacings", "0.25,0.125,0.0625", "-o", "out")
         self.assertRegex(said, r" left  spacing 3 of 3  .* left in all")
         said = self.on_terminal("fos", "slope.toml", "--tolerance", "0.3", "-o", "fos")
-        self.assertRegex(said, r"\]  +\d+ %  .* left  settling  .* left in all")
         self.assertRegex(said, r" left  trial \d+ of about \d+  .* left in all")
 
     def test_figures_are_counted(self):

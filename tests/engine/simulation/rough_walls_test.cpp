@@ -43,7 +43,7 @@ Scene tilted_layer(int dimension, double length, double along, double down) {
 
 /// Mean shear stress of each row in the middle of a layer at rest, in rho g_t dx.
 std::vector<double> shear_of_rows(const Scene& scene, double length) {
-  Simulation simulation(scene, {2, {}});
+  Simulation simulation(scene, {1, {}});
   while (!simulation.finished()) simulation.step();
   EXPECT_TRUE(simulation.stage_reached_rest());
   const auto position = simulation.field("position"), stress = simulation.field("stress"),
@@ -86,7 +86,7 @@ TEST(RoughWallTest, SandBelowItsFrictionAngleStands) {
       {"sand", DruckerPrager{10e6, 0.3, 0.0, 0.5236, 0.0, Cone::plane_strain}, 2000.0}};
   scene.initial_stress = InitialStress::geostatic;
   scene.stages = {stage_for("stand", 3.0)};
-  Simulation simulation(scene, {2, {}});
+  Simulation simulation(scene, {1, {}});
   const auto slip_at = [&](double until) {
     while (simulation.last_step().time < until) simulation.step();
     const auto position = simulation.field("position"),

@@ -197,8 +197,7 @@ int converge(const ConvergeArguments& arguments) {
   if (!arguments.scene.json.empty()) write_text(arguments.scene.json, json);
   std::fflush(stdout);
   try {  // without Python the numbers are there all the same
-    report_command(
-        {.folder = folder.string(), .quiet = arguments.quiet, .silent = numbers_only});
+    report_command({.folder = folder.string(), .quiet = arguments.quiet, .silent = numbers_only});
   } catch (const FileError& error) {
     fmt::print(stderr, "no report: {}\n", error.what());
   }

@@ -28,7 +28,7 @@ class Progress {
   Progress(double total_time, bool quiet, WholeWork whole = {});
   void update(const Simulation& simulation);
   /// Ends the bar's line.
-  void end() { line_.end(); }
+  void end() { line_.finish(); }
 
  private:
   std::vector<std::string> words(const Simulation& simulation, double fraction) const;

@@ -53,13 +53,13 @@ void ProgressLine::show(double fraction, const std::vector<std::string>& words) 
     fmt::print(stderr, "\r\033[K{}", bar_text(fraction, words, *columns));
     drawn_ = true;
   } else {
-    end();
+    finish();
     fmt::print(stderr, "{}\n", fmt::join(words, "  "));
   }
   std::fflush(stderr);
 }
 
-void ProgressLine::end() {
+void ProgressLine::finish() {
   if (drawn_) fmt::print(stderr, "\n");
   drawn_ = false;
 }

@@ -20,7 +20,7 @@ class ProgressLine {
   /// it has room for.
   void show(double fraction, const std::vector<std::string>& words);
   /// Ends the bar's line.
-  void end();
+  void finish();
 
  private:
   using Clock = std::chrono::steady_clock;

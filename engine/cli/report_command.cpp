@@ -30,7 +30,7 @@ std::filesystem::path report_script() {
 
 /// A script of the report's folder.
 std::filesystem::path required_script(const char* name) {
-  const std::filesystem::path script = report_script().replace_filename(name);
+  std::filesystem::path script = report_script().replace_filename(name);
   std::error_code error;
   if (std::filesystem::exists(script, error)) return script;
   throw FileError(

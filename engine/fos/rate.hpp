@@ -46,7 +46,7 @@ class Rate {
   bool spans() const {
     return !samples_.empty() && samples_.back().time - samples_.front().time >= 0.999 * span_;
   }
-  static double rise(Place first, Place end) {
+  static double rise(const Place& first, const Place& end) {
     const auto [low, high] = std::minmax_element(first, end, [](const Sample& a, const Sample& b) {
       return a.displacement < b.displacement;
     });

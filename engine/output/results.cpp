@@ -89,7 +89,7 @@ std::string processor_name() {
   for (std::string line; std::getline(info, line) && !line.empty();) {
     const std::size_t colon = line.find(':');
     if (colon == std::string::npos || colon + 2 >= line.size()) continue;
-    const std::string value = line.substr(colon + 2);
+    std::string value = line.substr(colon + 2);
     if (line.starts_with("model name")) return value;
     if (line.starts_with("CPU implementer")) numbers += "ARM, implementer " + value;
     if (line.starts_with("CPU part")) numbers += ", part " + value;

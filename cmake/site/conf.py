@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages of the repository as a site that works without a network: cmake/site/build makes it."""
+"""The pages of the repository as a site that works without a network: the target `site` makes it."""
 
 import pathlib
 import re

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The paper's statements as a table: quote, measure, numbers, verdict, what the verdict depends on."""
 
+import html
+
 import scarp_report as scarp
 
 BADGES = {"confirmed": True, "not confirmed": False}
@@ -21,6 +23,6 @@ def draw(page, claims):
         badge = scarp.badge(BADGES.get(claim["verdict"]), claim["verdict"])
         rows.append([number] + ([claim.get("case", "")] if with_case else []) +
                     [claim["section"], claim["quote"], claim["measure"], claim["numbers"], badge,
-                     scarp.Raw("<br>".join(map(scarp._escaped, claim["sensitivity"].split(" | "))))])
+                     scarp.Raw("<br>".join(map(html.escape, claim["sensitivity"].split(" | "))))])
     page.table(["", *(["case"] if with_case else []), "section", "the paper", "measure", "numbers", "verdict",
                 "other readings"], rows)

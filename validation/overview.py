@@ -2,6 +2,7 @@
 """The page over all cases: verdicts, what fails, main figures, orders, error against run time, machine."""
 
 import datetime
+import html
 import json
 import pathlib
 
@@ -45,7 +46,7 @@ def verdict_table(page, runs):
     for folder, entry, results in runs:
         judged = _judged(results)
         rows.append([scarp.run_badge(results),
-                     scarp.Raw(f'<a href="{scarp._escaped(_link(folder))}">{scarp._escaped(folder.name)}</a>'),
+                     scarp.Raw(f'<a href="{html.escape(_link(folder))}">{html.escape(folder.name)}</a>'),
                      entry.get("sentence") or results.get("title", ""), SETS.get(entry.get("set"), ""),
                      results.get("form", ""), sum(m["pass"] is True for m in judged),
                      sum(m["pass"] is False for m in judged), float(f"{results.get('wall_s') or 0:.3g}"), _when(folder)])

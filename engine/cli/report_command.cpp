@@ -14,8 +14,7 @@
 namespace scarp::cli {
 namespace {
 
-/// SCARP_REPORT, else beside an installed program, else in the source tree it was built from, to
-/// which the build adds the viewer.
+/// SCARP_REPORT, else beside an installed program, else in the source tree it was built from.
 std::filesystem::path report_script() {
   namespace fs = std::filesystem;
   if (const char* chosen = std::getenv("SCARP_REPORT"); chosen && *chosen) return chosen;
@@ -23,16 +22,24 @@ std::filesystem::path report_script() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   fs::path installed = program.parent_path().parent_path() / "share/scarp/report/scarp_report.py";
   if (!error && fs::exists(installed, error)) return installed;
-  constexpr int keep = 0;
-  ::setenv("SCARP_VIEWER", SCARP_VIEWER_SCRIPT, keep);
   return SCARP_REPORT_SCRIPT;
+}
+
+/// The scripts of the source tree have no viewer beside them; the build made it elsewhere.
+void show_viewer_of_build(const std::filesystem::path& script) {
+  constexpr int keep = 0;
+  if (script.parent_path() == std::filesystem::path(SCARP_REPORT_SCRIPT).parent_path())
+    ::setenv("SCARP_VIEWER", SCARP_VIEWER_SCRIPT, keep);
 }
 
 /// A script of the report's folder.
 std::filesystem::path required_script(const char* name) {
   std::filesystem::path script = report_script().replace_filename(name);
   std::error_code error;
-  if (std::filesystem::exists(script, error)) return script;
+  if (std::filesystem::exists(script, error)) {
+    show_viewer_of_build(script);
+    return script;
+  }
   throw FileError(
       fmt::format("'{}': the script is not there. Set SCARP_REPORT to the path of scarp_report.py.",
                   script.string()));

@@ -235,3 +235,9 @@ def read_results(folder):
     if not path.exists():
         return {}
     return read_json(path)
+
+
+def frames_of(folder, event):
+    """The frames written at the end of a stage, in order; `event` as in the frames' attribute."""
+    infos = [frame_info(path) for path, _ in read_series(folder) if path.exists()]
+    return [info for info in infos if info["event"] == event]

@@ -156,14 +156,21 @@ void StrengthReduction::forget_levels(const Trial& trial) {
   });
 }
 
-std::optional<Simulation> StrengthReduction::before_last_cut(double reduction, double duration,
-                                                             const Proceed& proceed) {
-  const std::vector<Stage> stages = stages_to(strength_after(reduction), duration);
+/// A copy of the state from which a cut by these stages has to go on, with the stages that are
+/// left.
+StrengthReduction::Begun StrengthReduction::begin(const std::vector<Stage>& stages) const {
   const Level* level = deepest_level(stages);
   const std::size_t done = level == nullptr ? 0 : level->way.size();
-  Simulation simulation = level == nullptr ? settled_.clone() : level->state.clone();
-  simulation.set_following_stages(
+  Begun begun{level == nullptr ? settled_.clone() : level->state.clone(),
+              level == nullptr ? 0.0 : level->displacement};
+  begun.state.set_following_stages(
       {stages.begin() + static_cast<std::ptrdiff_t>(done), stages.end()});
+  return begun;
+}
+
+std::optional<Simulation> StrengthReduction::before_last_cut(double reduction, double duration,
+                                                             const Proceed& proceed) {
+  Simulation simulation = begin(stages_to(strength_after(reduction), duration)).state;
   const std::size_t last = simulation.scene().stages.size() - 2;
   const auto there = [last](const Simulation& now) {
     return now.stage_index() == last && now.stage_ended();
@@ -176,15 +183,11 @@ std::optional<Simulation> StrengthReduction::before_last_cut(double reduction, d
 std::optional<Trial> StrengthReduction::run(const StageStrength& end, double reduction,
                                             const Proceed& proceed) {
   const auto start = Clock::now();
-  const std::vector<Stage> stages = stages_to(end, criterion_.window);
-  const Level* level = deepest_level(stages);
-  const std::size_t done = level == nullptr ? 0 : level->way.size();
+  Begun begun = begin(stages_to(end, criterion_.window));
+  Simulation& simulation = begun.state;
   Trial trial;
   trial.reduction = reduction;
-  if (level != nullptr) trial.displacement = level->displacement;
-  Simulation simulation = level == nullptr ? settled_.clone() : level->state.clone();
-  simulation.set_following_stages(
-      {stages.begin() + static_cast<std::ptrdiff_t>(done), stages.end()});
+  trial.displacement = begun.displacement;
   const std::size_t held = simulation.scene().stages.size() - 1;
   const std::uint64_t first_step = simulation.last_step().step,
                       settled_step = settled_.last_step().step;

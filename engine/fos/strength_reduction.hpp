@@ -114,11 +114,16 @@ class StrengthReduction {
     Simulation state;
     double displacement;  ///< largest of the judged point so far [m]
   };
+  struct Begun {
+    Simulation state;
+    double displacement;  ///< as in Level; 0 in the settled state
+  };
   StageStrength strength_before() const;
   StageStrength strength_after(double reduction) const;
   double reduction_reached(const Stage& stage, double wanted) const;
   std::vector<Stage> stages_to(const StageStrength& end, double duration) const;
   const Level* deepest_level(const std::vector<Stage>& stages) const;
+  Begun begin(const std::vector<Stage>& stages) const;
   void keep_level(const Simulation& now, double displacement);
   void forget_levels(const Trial& trial);
   std::optional<Trial> run(const StageStrength& end, double reduction, const Proceed& proceed);

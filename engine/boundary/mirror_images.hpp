@@ -29,13 +29,23 @@ class MirrorImages {
     std::span<const SlotRange> ranges;
     std::span<const double> k0;
     std::int64_t first_record = 0;
+
+    Vec3 point(std::int64_t slot) const {
+      return {points.x[slot], points.y[slot], points.z != nullptr ? points.z[slot] : 0.0};
+    }
+  };
+  /// The walls, and how far in front of them soil has images.
+  struct Mirrored {
+    const Scene& scene;
+    const WallSurface& surface;
+    const WallPlacement& walls;
+    double reach;
   };
   /// Soil within `reach` in front of a standing free-slip facet and inside its footprint, then the
   /// images of images across the facets that follow. Own soil, whose records come first, is kept in
   /// mind if it is within `close` of such a facet. Both lengths are longer for `fast` grains.
-  void select(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,
-              const Soil& own, const Soil& ghosts, double reach, double close,
-              const FastGrains& fast);
+  void select(int threads, const Mirrored& mirrored, const Soil& own, const Soil& ghosts,
+              double close, const FastGrains& fast);
 
   std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
   PointSpan points() const {
@@ -61,15 +71,20 @@ class MirrorImages {
     const Vec3& gravity;
   };
   /// Records of the images from those of their sources.
-  void pack(Records& records, const Mirrors& mirrors) const;
+  void pack(int threads, Records& records, const Mirrors& mirrors) const;
   /// ... that hold T = sigma B: (R sigma R + weight)(R B R). Equation: B3, K3.
-  void pack_corrected(Records& records, const Mirrors& mirrors, const ParticleBuffers& soil,
-                      const ParticleBuffers& ghosts) const;
+  void pack_corrected(int threads, Records& records, const Mirrors& mirrors,
+                      const ParticleBuffers& soil, const ParticleBuffers& ghosts) const;
   /// Second lines of the images from those of their sources.
-  void pack_second(Records& records, kernels::TermSet terms, int dimension) const;
-  std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
+  void pack_second(int threads, Records& records, kernels::TermSet terms, int dimension) const;
+  std::size_t bytes() const {
+    return images_.size() * (sizeof(Image) + sizeof(std::int32_t) + 3 * sizeof(double));
+  }
 
  private:
+  void sort_by_generation();
+  template <class Pack>
+  void each_after_its_source(int threads, const Pack& pack) const;
   std::int64_t source_record(const Records& records, std::size_t image) const;
   double pack_motion(Records& records, const Mirrors& mirrors, std::size_t image) const;
 
@@ -87,12 +102,14 @@ class MirrorImages {
     double lateral;
     double more;
   };
-  void ask_faces(const Scene& scene, const WallSurface& surface, const WallPlacement& walls,
-                 const Vec3& point, const Source& source, std::int64_t after, double reach);
+  template <class Ask>
+  static void each_smooth_face(const Mirrored& mirrored, const Vec3& point, double more,
+                               FacetSearch& search, const Ask& ask);
+  void ask_faces(int threads, const Mirrored& mirrored, const Soil& soil, const FastGrains* fast);
 
   std::map<std::uint32_t, std::vector<Source>> asked_;  ///< by face; empty between selections
-  FacetSearch search_;                                  ///< scratch
   std::vector<Image> images_;
+  std::vector<std::vector<std::int32_t>> generations_;  ///< images by how many mirrors made them
   AlignedVector<double> position_[3];
   std::vector<std::uint8_t> close_;  ///< by soil slot; empty: none
 };

@@ -3,9 +3,11 @@
 #include "engine/cells/cell_grid.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
+#include "engine/cells/radix_sort.hpp"
 #include "engine/parallel.hpp"
 
 namespace scarp {
@@ -13,28 +15,6 @@ namespace {
 
 /// Cells up to here from the lowest point have coordinates of their own.
 constexpr double last_cell = 0x1p52;
-
-struct KeyedSlot {
-  std::uint64_t key;
-  std::int32_t slot;
-};
-
-/// Stable radix sort by key, skipping digits that are equal everywhere.
-void sort_by_key(std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& scratch) {
-  scratch.resize(items.size());
-  std::uint64_t differing = 0;
-  for (const KeyedSlot& item : items) differing |= item.key ^ items.front().key;
-  constexpr int bits = 11;
-  for (int shift = 0; shift < 63; shift += bits) {
-    constexpr std::uint64_t mask = (1u << bits) - 1;
-    if ((differing >> shift & mask) == 0) continue;
-    std::array<std::size_t, mask + 2> start{};
-    for (const KeyedSlot& item : items) ++start[(item.key >> shift & mask) + 1];
-    for (std::size_t d = 1; d < start.size(); ++d) start[d] += start[d - 1];
-    for (const KeyedSlot& item : items) scratch[start[item.key >> shift & mask]++] = item;
-    items.swap(scratch);
-  }
-}
 
 /// A place in a table of any size below 2^32.
 std::size_t home(std::uint64_t key, std::size_t size) {
@@ -53,27 +33,79 @@ CellIndex CellGrid::cell_of(double x, double y, double z) const {
   return {index(x, origin_[0]), index(y, origin_[1]), index(z, origin_[2])};
 }
 
+/// Threads claim buckets by their key. Where a cell comes to lie may depend on who was first; what
+/// is found does not.
 void CellGrid::insert(std::uint64_t key, std::int32_t begin, std::int32_t end,
                       std::vector<Bucket>& table) {
-  std::size_t place = home(key, table.size());
-  while (table[place].key != empty) place = place + 1 < table.size() ? place + 1 : 0;
-  table[place] = {key, begin, end};
+  for (std::size_t place = home(key, table.size());;
+       place = place + 1 < table.size() ? place + 1 : 0) {
+    std::uint64_t free = empty;
+    if (!std::atomic_ref(table[place].key).compare_exchange_strong(free, key)) continue;
+    table[place].begin = begin;
+    table[place].end = end;
+    return;
+  }
+}
+
+void CellGrid::place_origin(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
+                            double cell_size) {
+  const auto lowest = [&](const double* values) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    double low = none;
+    for (const SlotRange& range : ranges) {
+      if (values == nullptr) break;
+      low = parallel_reduce(
+          threads, range.end - range.begin, particle_chunk, low,
+          [&](std::int64_t begin, std::int64_t end) {
+            double here = none;  // whatever is no number stays out
+            for (std::int64_t k = begin; k < end; ++k)
+              here = std::min(here, values[range.begin + k]);
+            return here;
+          },
+          [](double& all, double part) { all = std::min(all, part); });
+    }
+    return std::isfinite(low) ? low : 0.0;
+  };
+  // Room below, so that searches around the lowest points stay in range.
+  const double room = 4 * cell_size;
+  origin_ = {lowest(points.x) - room, lowest(points.y) - room, lowest(points.z) - room};
+}
+
+void CellGrid::fill_table(int threads, const std::vector<KeyedSlot>& items,
+                          std::vector<Bucket>& table) {
+  const auto offset = static_cast<std::int32_t>(order_.size());
+  const auto begins_cell = [&](std::size_t k) {
+    return k == 0 || items[k].key != items[k - 1].key;
+  };
+  const std::size_t occupied = parallel_reduce(
+      threads, std::ssize(items), particle_chunk, std::size_t{0},
+      [&](std::int64_t begin, std::int64_t end) {
+        std::size_t cells = 0;
+        for (std::int64_t k = begin; k < end; ++k)
+          cells += begins_cell(static_cast<std::size_t>(k)) ? 1 : 0;
+        return cells;
+      },
+      [](std::size_t& all, std::size_t part) { all += part; });
+  occupied_ += occupied;
+  table.assign(occupied + occupied / 2 + 1, Bucket{});
+  order_.resize(order_.size() + items.size());
+  parallel_chunks(
+      threads, std::ssize(items), particle_chunk, [&](std::int64_t first, std::int64_t last) {
+        for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+          order_[static_cast<std::size_t>(offset) + k] = items[k].slot;
+          if (!begins_cell(k)) continue;
+          std::size_t end = k + 1;
+          while (end < items.size() && items[end].key == items[k].key) ++end;
+          insert(items[k].key, offset + static_cast<std::int32_t>(k),
+                 offset + static_cast<std::int32_t>(end), table);
+        }
+      });
 }
 
 void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
                      double cell_size) {
   inverse_cell_ = 1.0 / cell_size;
-  const auto lowest = [&](const double* values) {
-    double low = std::numeric_limits<double>::infinity();
-    for (const SlotRange& range : ranges) {
-      for (std::int64_t k = range.begin; values != nullptr && k < range.end; ++k)
-        low = std::min(low, values[k]);
-    }
-    return std::isfinite(low) ? low : 0.0;
-  };
-  // One cell of room below, so that searches around the lowest points stay in range.
-  origin_ = {lowest(points.x) - 4 * cell_size, lowest(points.y) - 4 * cell_size,
-             lowest(points.z) - 4 * cell_size};
+  place_origin(threads, points, ranges, cell_size);
   order_.clear();
   occupied_ = 0;
   tables_.resize(ranges.size());
@@ -91,21 +123,8 @@ void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotR
                                                               static_cast<std::int32_t>(slot)};
                       }
                     });
-    if (!items.empty()) sort_by_key(items, scratch);
-    std::size_t occupied = 0;
-    for (std::size_t k = 0; k < items.size(); ++k)
-      occupied += k == 0 || items[k].key != items[k - 1].key;
-    tables_[r].assign(occupied + occupied / 2 + 1, Bucket{});
-    occupied_ += occupied;
-    const auto offset = static_cast<std::int32_t>(order_.size());
-    for (std::size_t k = 0; k < items.size();) {
-      std::size_t end = k + 1;
-      while (end < items.size() && items[end].key == items[k].key) ++end;
-      insert(items[k].key, offset + static_cast<std::int32_t>(k),
-             offset + static_cast<std::int32_t>(end), tables_[r]);
-      k = end;
-    }
-    for (const KeyedSlot& item : items) order_.push_back(item.slot);
+    sort_by_key(threads, items, scratch);
+    fill_table(threads, items, tables_[r]);
   }
 }
 

@@ -10,6 +10,8 @@
 
 namespace scarp {
 
+struct KeyedSlot;
+
 /// Integer coordinates of a cell; cells that are 2^21 apart along an axis share their points.
 using CellIndex = std::array<std::int64_t, 3>;
 
@@ -90,9 +92,14 @@ class CellGrid {
     std::int32_t end = 0;
   };
   static constexpr std::uint64_t empty = ~std::uint64_t{0};
+  void place_origin(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
+                    double cell_size);
+  /// The cells of a range, whose slots go behind those that `order_` has.
+  void fill_table(int threads, const std::vector<KeyedSlot>& items, std::vector<Bucket>& table);
   void append(const std::vector<Bucket>& table, std::uint64_t key,
               std::vector<std::int32_t>& out) const;
-  void insert(std::uint64_t key, std::int32_t begin, std::int32_t end, std::vector<Bucket>& table);
+  static void insert(std::uint64_t key, std::int32_t begin, std::int32_t end,
+                     std::vector<Bucket>& table);
 
   double inverse_cell_ = 1.0;
   std::array<double, 3> origin_{};

@@ -26,11 +26,11 @@ PointSpan points_of(const ParticleBuffers& particles) {
 void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
   std::vector<std::int32_t> order(static_cast<std::size_t>(state.particles.slots()));
   std::iota(order.begin(), order.end(), 0);
-  std::size_t next = 0;
+  auto sorted = state.neighbours.cells[Role::owned].order().begin();
   for (const SlotRange& range : ranges) {
-    for (std::int64_t k = range.begin; k < range.end; ++k) {
-      order[static_cast<std::size_t>(k)] = state.neighbours.cells[Role::owned].order()[next++];
-    }
+    const auto end = sorted + (range.end - range.begin);
+    std::copy(sorted, end, order.begin() + range.begin);
+    sorted = end;
     if (const double* asleep = state.particles.component(Field::asleep); asleep != nullptr) {
       // So that few blocks hold both.
       std::stable_partition(order.begin() + range.begin, order.begin() + range.end,
@@ -47,10 +47,14 @@ double list_reach(const State& state) {
   return (2.0 + state.scene.numerics.skin) * state.smoothing_length;
 }
 
-void mark_built(ParticleBuffers& particles) {
+void mark_built(int threads, ParticleBuffers& particles) {
   for (int a = 0; a < particles.dimension(); ++a) {
     const double* from = particles.component(Field::position, a);
-    std::copy(from, from + particles.slots(), particles.component(Field::build_position, a));
+    double* to = particles.component(Field::build_position, a);
+    parallel_chunks(threads, particles.slots(), particle_chunk,
+                    [&](std::int64_t begin, std::int64_t end) {
+                      std::copy(from + begin, from + end, to + begin);
+                    });
   }
 }
 
@@ -88,9 +92,9 @@ void build_lists(State& state) {
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
   const std::vector<SlotRange> ghost_ranges = ranges_of(state.ghosts);
   state.boundary.images.select(
-      state.scene, state.boundary.surface, placement, {points_of(state.particles), ranges, k0, 0},
+      state.threads, {state.scene, state.boundary.surface, placement, image_reach},
+      {points_of(state.particles), ranges, k0, 0},
       {points_of(state.ghosts), ghost_ranges, k0, state.sweep.records.layout()[Role::ghost].first},
-      image_reach,
       hold_off_distance(state.particles.largest_spacing()) +
           state.scene.numerics.skin * state.smoothing_length,
       state.neighbours.fast);
@@ -193,7 +197,7 @@ void rebuild_lists(State& state) {
   ++neighbours.rebuilds;
   neighbours.fast = fast_grains(state);
   build_lists(state);
-  mark_built(state.particles);
+  mark_built(state.threads, state.particles);
   neighbours.due = false;
   state.sleep.moved = 0.0;
   regroup_sleep(state);
@@ -242,9 +246,10 @@ void pack_images(State& state) {
   const MirrorImages::Mirrors mirrors{state.scaling.inverse_smoothing_length, state.boundary.offset,
                                       state.boundary.velocity, state.scene.gravity};
   if (records.stress_form() == StressForm::corrected) {
-    state.boundary.images.pack_corrected(records, mirrors, state.particles, state.ghosts);
+    state.boundary.images.pack_corrected(state.threads, records, mirrors, state.particles,
+                                         state.ghosts);
   } else {
-    state.boundary.images.pack(records, mirrors);
+    state.boundary.images.pack(state.threads, records, mirrors);
   }
 }
 

@@ -71,7 +71,8 @@ void run_force_sweep(State& state, const ChosenSweep& sweep) {
   const bool marked =
       pack_second_lines(state.threads, {state.particles, state.ghosts}, state.kernels, records);
   if (records.has_second())
-    state.boundary.images.pack_second(records, state.kernels.terms, state.scene.dimension);
+    state.boundary.images.pack_second(state.threads, records, state.kernels.terms,
+                                      state.scene.dimension);
   records.fill(view, marked);
   run(state, marked ? sweep.whole : sweep.unmarked, swept_clusters(state), view,
       state.sweep.narrow_records);

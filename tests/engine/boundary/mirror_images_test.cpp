@@ -208,8 +208,8 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
                            soil.component(Field::position, 2)};
     const SlotRange range{0, count};
     MirrorImages images;
-    images.select(corner.scene, surface, {stands, offset}, {points, {&range, 1}, {&k0, 1}, 0}, {},
-                  reach, 0.1, {});
+    images.select(1, {corner.scene, surface, {stands, offset}, reach},
+                  {points, {&range, 1}, {&k0, 1}, 0}, {}, 0.1, {});
     ASSERT_EQ(images.count(), static_cast<std::int64_t>(wanted.size()));
     const RecordScaling scaling{1.0 / smoothing_length, 1.0, {1e7}};
     Records records(soil.slots(), 0);
@@ -217,14 +217,14 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     records.resize(0, images.count());
     const MirrorImages::Mirrors mirrors{scaling.inverse_smoothing_length, offset, velocity,
                                         corner.gravity};
-    images.pack(records, mirrors);
+    images.pack(1, records, mirrors);
     records.take_second();
     for (std::int64_t k = 0; k < count; k += 2) {
       std::copy_n(tension[static_cast<std::size_t>(k)].data(), 6,
                   records.second(k) + first_tension);
       records.mark(k) = 1;
     }
-    images.pack_second(records, TermSet{Term::artificial_stress}, 3);
+    images.pack_second(1, records, TermSet{Term::artificial_stress}, 3);
     std::vector<Point> made;
     for (std::int64_t g = 0; g < images.count(); ++g) {
       const std::int64_t index = records.layout()[Role::image].first + g;
@@ -234,7 +234,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     std::sort(wanted.begin(), wanted.end(), before);
     for (std::size_t g = 0; g < wanted.size(); ++g) expect_same(made[g], wanted[g]);
     records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot, StressForm::corrected);
-    images.pack_corrected(records, mirrors, soil, {});
+    images.pack_corrected(1, records, mirrors, soil, {});
     std::vector<std::pair<Vec3, Tensor<double>>> taken;
     for (std::int64_t g = 0; g < images.count(); ++g) {
       const std::int64_t record = records.layout()[Role::image].first + g;

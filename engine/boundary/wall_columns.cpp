@@ -19,9 +19,7 @@ constexpr double no_trust = 1.0, full_trust = 1.3;
 
 }  // namespace
 
-bool has_wall_columns(const Scene& scene) {
-  return scene.numerics.gradient_correction && scene.numerics.force_correction;
-}
+bool has_wall_columns(const Scene& scene) { return scene.numerics.corrects_force(); }
 
 double inner_height(const Scene& scene) { return 2.0 * scene.spacing; }
 

@@ -17,7 +17,7 @@ namespace {
 /// Soil without strength runs out into files of grains; pressed against a smooth wall by half a
 /// spacing these are twice as stiff as the lattice where forces are corrected (THEORY, section 10).
 const char* spreads_thin(const Numerics& n) {
-  const bool stiff = n.gradient_correction && n.force_correction && n.cfl > 0.4;
+  const bool stiff = n.corrects_force() && n.cfl > 0.4;
   return stiff
              ? ", and spreads until it is one grain thin, which needs shorter steps. Try cfl = 0.4"
              : "";

@@ -36,7 +36,7 @@ NumpyModel::NumpyModel(std::string material, int dimension, std::vector<std::int
       dimension_(dimension),
       ids_(std::move(ids)),
       corrected_(numerics.gradient_correction),
-      conjugate_(numerics.gradient_correction && numerics.force_correction),
+      conjugate_(numerics.corrects_force()),
       update_(std::move(update)) {
   for (const auto& [name, initial] : history) {
     py::array_t<double> values(static_cast<py::ssize_t>(ids_.size()));

@@ -77,6 +77,9 @@ struct Numerics {
   double density_maximum = 1.2;      ///< bound on density over reference density [-]
   double sleep = 0.0;  ///< error of stress that soil asleep may make, over overburden [-]
   Precision precision = Precision::real64;  ///< of the pair sweep; the state is always double
+
+  /// The corrected force is the conjugate of the corrected gradient, so there is none without it.
+  bool corrects_force() const { return gradient_correction && force_correction; }
 };
 
 struct Material {

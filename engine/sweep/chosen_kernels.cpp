@@ -37,7 +37,7 @@ Field field_of(const FieldUse& use) { return known_field(use); }
 kernels::TermSettings term_settings(const Numerics& n, bool yields) {
   kernels::TermSettings settings;
   settings.gradient_correction = n.gradient_correction;
-  settings.force_correction = n.force_correction;
+  settings.force_correction = n.corrects_force();
   settings.yields = yields;
   settings.viscosity_alpha = n.viscosity_alpha;
   settings.viscosity_beta = n.viscosity_beta;

@@ -39,9 +39,7 @@ struct ForceCorrection : PairTerm {
   static constexpr int second_slots = 2;
   static constexpr bool marked = false;
   static constexpr SecondRank second_rank = SecondRank::packed;
-  static constexpr bool used(const TermSettings& s) {
-    return s.gradient_correction && s.force_correction;
-  }
+  static constexpr bool used(const TermSettings& s) { return s.force_correction; }
   static constexpr int flops(int) { return 0; }
 
   template <class B, int Dim>

@@ -29,7 +29,7 @@ struct HourglassViscosity : PairTerm {
   static constexpr bool marked = false;
   static constexpr SecondRank second_rank = SecondRank::packed;
   static constexpr bool used(const TermSettings& s) {
-    return s.gradient_correction && s.force_correction && s.hourglass_viscosity > 0.0;
+    return s.force_correction && s.hourglass_viscosity > 0.0;
   }
   static constexpr int flops(int d) { return 7 + 4 * d + 3 * d * d; }
 

@@ -94,8 +94,8 @@ struct PairNeeds {
 /// What a scene's numerics ask of the pair terms.
 struct TermSettings {
   bool gradient_correction = true;
-  bool force_correction = false;
-  bool yields = false;  ///< any of the scene's materials does
+  bool force_correction = false;  ///< only with `gradient_correction`, whose conjugate it is
+  bool yields = false;            ///< any of the scene's materials does
   double viscosity_alpha = 0.0;
   double viscosity_beta = 0.0;
   double hourglass_viscosity = 0.0;

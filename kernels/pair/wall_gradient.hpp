@@ -28,9 +28,7 @@ struct WallGradient : PairTerm {
   static constexpr ActsOn acts_on = ActsOn::walls;
   static constexpr SlotSet reads{};
   static constexpr SlotSet reads_of_dummies{record_density, 9};
-  static constexpr bool used(const TermSettings& s) {
-    return s.gradient_correction && s.force_correction;
-  }
+  static constexpr bool used(const TermSettings& s) { return s.force_correction; }
   /// Of a pair of soil and dummy, with W.
   static constexpr int flops(int d) { return 10 + 2 * d * d; }
 

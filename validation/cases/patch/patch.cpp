@@ -117,7 +117,7 @@ Errors acceleration_errors(const Simulation& stepped) {
   const double unit =
       120e3 / (scene.materials.front().density * scene.spacing) * stepped.last_step().time_step;
   const Numerics& n = scene.numerics;
-  const double supports = n.gradient_correction && n.force_correction ? 2.0 : 1.0;
+  const double supports = n.corrects_force() ? 2.0 : 1.0;
   Errors errors;
   for (std::size_t k = 0; k < velocity.size(); k += 3) {
     const Vec3 at{position[k], position[k + 1], position[k + 2]};

@@ -1,23 +1,90 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Forces on the walls, summed only when asked for.
-#include "engine/boundary/boundary.hpp"
+#include <algorithm>
 
+#include "engine/boundary/boundary.hpp"
+#include "engine/parallel.hpp"
 #include "engine/state.hpp"
 
 namespace scarp {
 namespace {
 
-/// Momentum per time that all pairs give to the soil; pairs of soil particles cancel.
-Vec3 total_force(const State& state, const kernels::PairSweepView<double>& view,
-                 NarrowRecords& narrow) {
+constexpr std::int64_t clusters_per_chunk = 64;
+
+/// The wall that a record is a dummy or an image of; none: the record is soil.
+constexpr std::size_t no_wall = ~std::size_t{0};
+std::size_t wall_of(const State& state, std::int64_t record) {
+  const RecordLayout& layout = state.sweep.records.layout();
+  const auto within = [&](Role role) {
+    return record >= layout[role].first && record < layout[role].end();
+  };
+  const Boundary& boundary = state.boundary;
+  if (within(Role::dummy)) {
+    const std::int64_t dummy = record - layout[Role::dummy].first;
+    return dummy < boundary.walls.count() ? boundary.walls.wall_of(dummy) : no_wall;
+  }
+  return within(Role::image) ? boundary.images.wall_of(record - layout[Role::image].first)
+                             : no_wall;
+}
+
+/// Calls visit(wall) for each wall that a cluster has for a neighbour, perhaps more than once.
+template <class Visit>
+void each_wall_beside(const State& state, std::int64_t cluster, const Visit& visit) {
+  const kernels::NeighbourView lists = state.neighbours.lists.view();
+  const bool images = state.boundary.images.count() > 0;
+  const std::int64_t end = lists.soil_begin[cluster + 1];
+  for (std::int64_t block = images ? lists.soil_begin[cluster] : lists.wall_begin[cluster];
+       block < end; ++block) {
+    for (std::int64_t k = 0; k < kernels::entry_block; ++k) {
+      const std::uint16_t place = lists.place[block * kernels::entry_block + k];
+      if (place == kernels::no_neighbour) continue;
+      const std::size_t wall = wall_of(state, lists.page[block] + std::int64_t{place});
+      if (wall != no_wall) visit(wall);
+    }
+  }
+}
+
+using ClustersByWall = std::vector<std::vector<std::int32_t>>;
+
+/// Clusters of soil beside each wall.
+ClustersByWall clusters_beside_walls(const State& state) {
+  const auto active = state.neighbours.lists.active_clusters();
+  const ClustersByWall none(state.scene.walls.size());
+  return parallel_reduce(
+      state.threads, std::ssize(active), clusters_per_chunk, none,
+      [&](std::int64_t begin, std::int64_t end) {
+        ClustersByWall found = none;
+        for (const std::int32_t cluster : active.subspan(static_cast<std::size_t>(begin),
+                                                         static_cast<std::size_t>(end - begin))) {
+          each_wall_beside(state, cluster, [&](std::size_t wall) {
+            if (found[wall].empty() || found[wall].back() != cluster)
+              found[wall].push_back(cluster);
+          });
+        }
+        return found;
+      },
+      [](ClustersByWall& all, const ClustersByWall& part) {
+        for (std::size_t w = 0; w < all.size(); ++w)
+          all[w].insert(all[w].end(), part[w].begin(), part[w].end());
+      });
+}
+
+/// Momentum per time that all pairs give to the soil of these clusters.
+Vec3 total_force(const State& state, std::span<const std::int32_t> clusters,
+                 const kernels::PairSweepView<double>& view, NarrowRecords& narrow) {
   Vec3 sum{};
-  sweep_force_with(state, state.neighbours.lists.active_clusters(), view, narrow);
+  sweep_force_with(state, clusters, view, narrow);
+  const std::int64_t size = state.kernels.cluster_size;
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::size_t a = 0; a < static_cast<std::size_t>(state.scene.dimension); ++a) {
       const double* acceleration =
           view.output[output_place(Field::acceleration) + static_cast<int>(a)];
       double part = 0.0;
-      for (std::int64_t k = group.first; k < group.end(); ++k) part += acceleration[k];
+      for (const std::int32_t cluster : clusters) {
+        const std::int64_t first = std::max(cluster * size, group.first),
+                           end = std::min((cluster + 1) * size, group.end());
+        for (std::int64_t k = first; k < end; ++k) part += acceleration[k];
+      }
       sum[a] += group.mass * part;
     }
   }
@@ -26,9 +93,9 @@ Vec3 total_force(const State& state, const kernels::PairSweepView<double>& view,
 
 }  // namespace
 
-/// What a wall gives to the soil is the difference of two force sweeps: of the step's records, and
-/// of a copy in which the volumes of the wall's dummies and images are zero. The reaction is minus
-/// that, and what the wall's faces held off in the last step.
+/// What a wall gives to the soil beside it is the difference of two force sweeps: of the step's
+/// records, and of a copy in which the volumes of the wall's dummies and images are zero. The
+/// reaction is minus that, and what the wall's faces held off in the last step.
 std::vector<WallReaction> wall_reactions(const State& state) {
   std::vector<WallReaction> reactions;
   for (const Wall& wall : state.scene.walls) reactions.push_back({wall.name, {}});
@@ -43,30 +110,31 @@ std::vector<WallReaction> wall_reactions(const State& state) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
     out[a] = acceleration[a].data();
   }
-  const Vec3 with_all = total_force(state, view, narrow);
-  const Boundary& boundary = state.boundary;
-  const RecordLayout& layout = state.sweep.records.layout();
   const double* const records = view.records;
+  AlignedVector<double> masked(
+      records, records + state.sweep.records.layout().records() * kernels::record_size);
+  const auto set_volumes = [&](std::size_t wall, bool there) {
+    for (const Role role : {Role::dummy, Role::image}) {
+      const RecordRange& range = state.sweep.records.layout()[role];
+      for (std::int64_t record = range.first; record < range.end(); ++record) {
+        if (wall_of(state, record) != wall) continue;
+        const std::int64_t volume = record * kernels::record_size + kernels::record_volume;
+        masked[static_cast<std::size_t>(volume)] = there ? records[volume] : 0.0;
+      }
+    }
+  };
+  const ClustersByWall beside = clusters_beside_walls(state);
   for (std::size_t w = 0; w < reactions.size(); ++w) {
-    if (!boundary.stands[w]) continue;
-    reactions[w].force = boundary.hold_force[w];
-    AlignedVector<double> masked(records, records + layout.records() * kernels::record_size);
-    bool any = false;
-    const auto mask = [&](std::int64_t record) {
-      masked[static_cast<std::size_t>(record * kernels::record_size + kernels::record_volume)] =
-          0.0;
-      any = true;
-    };
-    for (std::int64_t k = 0; k < boundary.walls.count(); ++k) {
-      if (boundary.walls.wall_of(k) == w) mask(layout[Role::dummy].first + k);
-    }
-    for (std::int64_t k = 0; k < boundary.images.count(); ++k) {
-      if (boundary.images.wall_of(k) == w) mask(layout[Role::image].first + k);
-    }
-    if (!any) continue;
+    if (!state.boundary.stands[w]) continue;
+    reactions[w].force = state.boundary.hold_force[w];
+    if (beside[w].empty()) continue;
+    const Vec3 with = total_force(state, beside[w], view, narrow);
+    set_volumes(w, false);
     view.records = masked.data();
-    const Vec3 without = total_force(state, view, narrow);
-    for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] += without[a] - with_all[a];
+    const Vec3 without = total_force(state, beside[w], view, narrow);
+    view.records = records;
+    set_volumes(w, true);
+    for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] += without[a] - with[a];
   }
   std::vector<Vec3> forces;
   for (const WallReaction& reaction : reactions) forces.push_back(reaction.force);

@@ -28,6 +28,8 @@ std::string head_of(std::string_view text) {
   return head;
 }
 
+}  // namespace
+
 const Text& template_named(const std::string& name) {
   const auto found = std::find_if(templates.begin(), templates.end(),
                                   [&](const Text& one) { return one.name == name; });
@@ -36,8 +38,6 @@ const Text& template_named(const std::string& name) {
   for (const Text& one : templates) names.push_back(one.name);
   throw UsageError(fmt::format("template: there is no '{}'. {}", name, did_you_mean(name, names)));
 }
-
-}  // namespace
 
 int new_command(const NewArguments& arguments) {
   if (arguments.name.empty()) {

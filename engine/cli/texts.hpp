@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace scarp::cli {
@@ -13,5 +14,8 @@ struct Text {
 
 extern const std::span<const Text> templates;    ///< engine/scene/templates
 extern const std::span<const Text> scene_pages;  ///< engine/scene/SCENE.md
+
+/// Errors: UsageError that names those there are.
+const Text& template_named(const std::string& name);
 
 }  // namespace scarp::cli

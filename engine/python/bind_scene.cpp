@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/check/warnings.hpp"
+#include "engine/cli/texts.hpp"
 #include "engine/python/bind.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "engine/scene/units.hpp"
@@ -41,6 +42,10 @@ void bind_scene(py::module_& module) {
         return parse_quantity(text, unit_named(unit));
       },
       py::arg("text"), py::arg("unit"), "A text with a unit, such as \"100 kPa\", in SI.");
+  module.def(
+      "template_text",
+      [](const std::string& name) { return std::string(cli::template_named(name).text); },
+      py::arg("name"), "The scene that `scarp new NAME` writes.");
   py::class_<Scene>(module, "Scene", "A scene that has been read and checked.")
       .def_static(
           "read",

@@ -33,6 +33,14 @@ class SceneTest(common.TestCase):
         self.assertEqual(scene.title, 'a "title" \\ with é')
         self.assertEqual(scarp.Scene.from_toml(scene.text).title, scene.title)
 
+    def test_a_template_is_the_scene_that_scarp_new_writes(self):
+        scene = scarp.Scene.from_template("slope", spacing="1 m")
+        written = subprocess.run([common.PROGRAM, "new", "slope", "-"], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(scene.text, written)
+        self.assertEqual((scene.title, scene.spacing), ("Slope", 1.0))
+        with self.assertRaisesRegex(ValueError, "there is no 'slop'.*slope"):
+            scarp.Scene.from_template("slop")
+
     def test_a_file_is_read_and_overridden(self):
         file = self.folder / "column.toml"
         column().save(file)

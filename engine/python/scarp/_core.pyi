@@ -26,6 +26,7 @@ class SimulationInstability(Error, ArithmeticError):
     advice: str
 
 def quantity(text: str, unit: str) -> float: ...
+def template_text(name: str) -> str: ...
 
 class Scene:
     title: str

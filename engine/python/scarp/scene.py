@@ -78,6 +78,14 @@ class Scene:
             core = _core.Scene.read(os.fspath(source), preset, metres)
         return cls._of(core, preset, metres)
 
+    @classmethod
+    def from_template(cls, name: str, *, preset: str = "", spacing: Optional[Quantity] = None) -> "Scene":
+        """The scene that `scarp new NAME` writes: "slope", "layered_slope", "column", "footing", "terrain" or "chute".
+
+        Raises ValueError for another name.
+        """
+        return cls.from_toml(_core.template_text(name), preset=preset, spacing=spacing)
+
     def at(self, *, spacing: Optional[Quantity] = None, preset: Optional[str] = None) -> "Scene":
         """The same scene with another particle spacing or preset."""
         metres = self._spacing if spacing is None else quantity(spacing, "length")

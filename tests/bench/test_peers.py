@@ -3,13 +3,17 @@
 judged.
 
 Usage: test_peers.py FOLDER_OF_THE_SCRIPTS FOLDER_OF_THE_PROGRAMS [PROGRAM_OF_LAMMPS]"""
+import argparse
+import contextlib
 import importlib.machinery
 import importlib.util
+import io
 import itertools
 import os
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 SCRIPTS, PROGRAMS = sys.argv[1:3]
 LMP = sys.argv[3] if len(sys.argv) > 3 else None
@@ -22,7 +26,7 @@ turns = lammps.turns
 
 
 def script(name, *words):
-    return subprocess.run([sys.executable, os.path.join(SCRIPTS, name), *words], capture_output=True, text=True, timeout=100)
+    return subprocess.run([sys.executable, os.path.join(SCRIPTS, name), *words], capture_output=True, text=True, timeout=250)
 
 
 class Peers(unittest.TestCase):
@@ -70,11 +74,40 @@ class Peers(unittest.TestCase):
         self.assertIn("cmake/setup.sh lammps", done.stderr)
 
     @unittest.skipUnless(LMP, "needs LAMMPS")
-    def test_the_styles_of_lammps_take_the_same_lattice(self):
-        done = script("lammps", PROGRAMS, "--lmp", LMP, "--side", "6", "--steps", "3", "--turns", "1")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        for row in ("scarp modern/double", "scarp paper/mixed", "LAMMPS peri/lps", "LAMMPS peri/eps", "LAMMPS lj/cut"):
-            self.assertIn(row, done.stdout)
+    def test_the_styles_of_lammps_and_scarp_take_the_same_lattice(self):
+        options = argparse.Namespace(build=PROGRAMS, lmp=LMP, liggghts="/nowhere/liggghts", side=6)
+        with contextlib.redirect_stderr(io.StringIO()) as said:
+            rows = {row.name: row for row in lammps.contestants(options)}
+        self.assertIn("'/nowhere/liggghts'", said.getvalue())
+        self.assertEqual([name for name in rows if name.startswith("LAMMPS")],
+                         ["LAMMPS peri/lps", "LAMMPS peri/eps", "LAMMPS lj/cut"])
+        for name, row in rows.items():
+            if name.startswith("LAMMPS"):
+                self.assertEqual(row.timed(2)[1], 2)
+        seconds, steps = rows["scarp paper/mixed"].timed(3)
+        self.assertGreater(seconds, 0.0)
+        self.assertGreater(steps, 0)
+        rows["LAMMPS lj/cut"].particles += 1
+        with self.assertRaisesRegex(RuntimeError, "made 216 particles in place of 217"):
+            rows["LAMMPS lj/cut"].timed(2)
+
+    def test_the_start_is_taken_off_and_times_are_of_a_particle_and_step(self):
+        class Row:
+            def __init__(self, name, each):
+                self.name, self.each, self.particles = name, each, 8
+
+            def timed(self, steps):
+                """A second for the start."""
+                return 1.0 + self.each * steps, steps
+
+        rows = [Row("one", 8e-6), Row("two", 24e-6)]
+        with unittest.mock.patch.object(lammps, "contestants", lambda options: rows), \
+                contextlib.redirect_stdout(io.StringIO()) as said:
+            lammps.main([PROGRAMS, "--side", "2", "--steps", "10", "--turns", "3"])
+        first, second = said.getvalue().splitlines()[2:]
+        # 8 particles: 1000 and 3000 ns a particle and step; the 8 corners of a cube are all within 2.4 spacings: 7 pairs.
+        self.assertEqual(first.split(), "one 1000 (1000 to 1000) 142.86 1.00 (1.00 to 1.00)".split())
+        self.assertEqual(second.split(), "two 3000 (3000 to 3000) 428.57 3.00 (3.00 to 3.00)".split())
 
 
 if __name__ == "__main__":

@@ -47,28 +47,38 @@ void CellGrid::insert(std::uint64_t key, std::int32_t begin, std::int32_t end,
   }
 }
 
-void CellGrid::place_origin(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
+void CellGrid::place_points(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
                             double cell_size) {
-  const auto lowest = [&](const double* values) {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    double low = none;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  struct Extent {
+    double low = none, high = -none;
+  };
+  std::array<double, 3> lowest{}, highest{};
+  const double* const axes[3] = {points.x, points.y, points.z};
+  for (std::size_t a = 0; a < 3 && axes[a] != nullptr; ++a) {
+    Extent extent;
     for (const SlotRange& range : ranges) {
-      if (values == nullptr) break;
-      low = parallel_reduce(
-          threads, range.end - range.begin, particle_chunk, low,
+      extent = parallel_reduce(
+          threads, range.end - range.begin, particle_chunk, extent,
           [&](std::int64_t begin, std::int64_t end) {
-            double here = none;  // whatever is no number stays out
-            for (std::int64_t k = begin; k < end; ++k)
-              here = std::min(here, values[range.begin + k]);
+            Extent here;  // whatever is no number stays out
+            for (std::int64_t k = range.begin + begin; k < range.begin + end; ++k) {
+              here.low = std::min(here.low, axes[a][k]);
+              here.high = std::max(here.high, axes[a][k]);
+            }
             return here;
           },
-          [](double& all, double part) { all = std::min(all, part); });
+          [](Extent& all, const Extent& part) {
+            all.low = std::min(all.low, part.low);
+            all.high = std::max(all.high, part.high);
+          });
     }
-    return std::isfinite(low) ? low : 0.0;
-  };
+    lowest[a] = std::isfinite(extent.low) ? extent.low : 0.0;
+    highest[a] = std::max(extent.high, lowest[a]);
+  }
   // Room below, so that searches around the lowest points stay in range.
-  const double room = 4 * cell_size;
-  origin_ = {lowest(points.x) - room, lowest(points.y) - room, lowest(points.z) - room};
+  for (std::size_t a = 0; a < 3; ++a) origin_[a] = lowest[a] - 4 * cell_size;
+  occupied_box_ = box_of(lowest, highest);
 }
 
 void CellGrid::fill_table(int threads, const std::vector<KeyedSlot>& items,
@@ -105,7 +115,7 @@ void CellGrid::fill_table(int threads, const std::vector<KeyedSlot>& items,
 void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
                      double cell_size) {
   inverse_cell_ = 1.0 / cell_size;
-  place_origin(threads, points, ranges, cell_size);
+  place_points(threads, points, ranges, cell_size);
   order_.clear();
   occupied_ = 0;
   tables_.resize(ranges.size());
@@ -139,7 +149,12 @@ void CellGrid::append(const std::vector<Bucket>& table, std::uint64_t key,
   }
 }
 
-void CellGrid::collect(const CellBox& box, std::vector<std::int32_t>& out) const {
+void CellGrid::collect(const CellBox& wanted, std::vector<std::int32_t>& out) const {
+  CellBox box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    box.low[a] = std::max(wanted.low[a], occupied_box_.low[a]);
+    box.high[a] = std::min(wanted.high[a], occupied_box_.high[a]);
+  }
   for (const std::vector<Bucket>& table : tables_) {
     for (std::int64_t z = box.low[2]; z <= box.high[2]; ++z) {
       for (std::int64_t y = box.low[1]; y <= box.high[1]; ++y) {

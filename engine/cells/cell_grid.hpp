@@ -76,9 +76,9 @@ class CellGrid {
   CellBox box_of(const std::array<double, 3>& low, const std::array<double, 3>& high) const {
     return {cell_of(low[0], low[1], low[2]), cell_of(high[0], high[1], high[2])};
   }
-  /// Appends the slots of all points in the cells of `box` to `out`, range by range and cell by
-  /// cell. Pre: its count is finite.
-  void collect(const CellBox& box, std::vector<std::int32_t>& out) const;
+  /// Appends the slots of all points in the cells of `wanted` to `out`, range by range and cell by
+  /// cell; points that are no numbers may be left out. Pre: its count is finite.
+  void collect(const CellBox& wanted, std::vector<std::int32_t>& out) const;
   /// The same for cells one by one, in the order given. Pre: no two have the same key.
   void collect(std::span<const CellIndex> cells, std::vector<std::int32_t>& out) const;
   /// How many cells hold points, those of several ranges counted for each.
@@ -92,7 +92,7 @@ class CellGrid {
     std::int32_t end = 0;
   };
   static constexpr std::uint64_t empty = ~std::uint64_t{0};
-  void place_origin(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
+  void place_points(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
                     double cell_size);
   /// The cells of a range, whose slots go behind those that `order_` has.
   void fill_table(int threads, const std::vector<KeyedSlot>& items, std::vector<Bucket>& table);
@@ -103,6 +103,7 @@ class CellGrid {
 
   double inverse_cell_ = 1.0;
   std::array<double, 3> origin_{};
+  CellBox occupied_box_;  ///< around all points that are numbers
   std::size_t occupied_ = 0;
   std::vector<std::int32_t> order_;
   std::vector<std::vector<Bucket>> tables_;  ///< one per range, two thirds full, linear probing

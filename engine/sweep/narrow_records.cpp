@@ -55,14 +55,22 @@ constexpr double far_steps = 2.0 * position_reach / position_step;
 }  // namespace
 
 PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<double>& view,
-                                           std::int64_t far_record, std::int64_t owned,
-                                           const SlotRanges& which) {
-  const std::int64_t count = far_record + 1;
+                                           std::int64_t far_record, const RecordsRead& read) {
+  const std::int64_t count = far_record + 1, others = read.owned + read.dummies,
+                     cluster = read.dummy_cluster_size;
   const auto each_range = [&](auto&& convert) {
-    each_slot(threads, which, owned, convert);
+    each_slot(threads, read.soil, read.owned, convert);
+    parallel_chunks(threads, std::ssize(read.dummy_clusters), particle_chunk / cluster,
+                    [&](std::int64_t begin, std::int64_t end) {
+                      for (std::int64_t n = begin; n < end; ++n) {
+                        const std::int64_t first =
+                            read.owned + read.dummy_clusters[static_cast<std::size_t>(n)] * cluster;
+                        convert(first, first + cluster);
+                      }
+                    });
     parallel_chunks(
-        threads, count - owned, particle_chunk,
-        [&](std::int64_t begin, std::int64_t end) { convert(owned + begin, owned + end); });
+        threads, count - others, particle_chunk,
+        [&](std::int64_t begin, std::int64_t end) { convert(others + begin, others + end); });
   };
   records_.resize(static_cast<std::size_t>(count * record_size));
   const double far_x = view.records[far_record * record_size + record_x];

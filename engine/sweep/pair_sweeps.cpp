@@ -52,12 +52,15 @@ void run(const State& state, const SweepKernel& sweep, std::span<const std::int3
     run(state, sweep.in_double, std::ssize(clusters), view);
     return;
   }
-  // Soil that sleeps and is no neighbour of these clusters may be left as it is.
+  // Soil that sleeps and is no neighbour of these clusters may be left as it is, and so may dummies
+  // that no soil reaches.
   const bool all = clusters.data() == state.neighbours.lists.active_clusters().data();
   const RecordLayout& layout = state.sweep.records.layout();
+  const RecordsRead read{layout[Role::owned].slots, all ? SlotRanges() : state.sleep.packed,
+                         layout[Role::dummy].slots, state.neighbours.wall_lists.active_clusters(),
+                         state.kernels.table->cluster_size};
   const kernels::PairSweepView<float> narrow =
-      narrow_records.narrow(state.threads, view, layout.far_record(), layout[Role::owned].end(),
-                            all ? SlotRanges() : state.sleep.packed);
+      narrow_records.narrow(state.threads, view, layout.far_record(), read);
   if (const auto record = narrow_records.out_of_reach())
     throw SimulationInstability(flown_out_of_reach(state, view.records, *record));
   run(state, sweep.mixed, std::ssize(clusters), narrow);

@@ -115,5 +115,27 @@ TEST(NarrowRecordsTest, TheFirstRecordOutOfReachIsTold) {
   EXPECT_FALSE(narrow.out_of_reach());
 }
 
+TEST(NarrowRecordsTest, OnlyRecordsThatAreReadAreMadeAndJudged) {
+  Wide wide(100);
+  NarrowRecords narrow;
+  narrow.narrow(1, wide.view(), wide.count);
+  // 40 of soil, 48 dummies of which two clusters are read, the others, the far record.
+  const std::int32_t clusters[] = {1, 4};
+  const RecordsRead read{40, {}, 48, clusters, 8};
+  const auto is_read = [](std::int64_t k) {
+    return k < 40 || (k >= 48 && k < 56) || (k >= 72 && k < 80) || k >= 88;
+  };
+  for (std::int64_t k = 0; k < wide.count; ++k) wide.at(k, record_volume) = 7.0;
+  wide.at(50, record_x) = wide.at(0, record_x) + position_reach;
+  const PairSweepView<float> view = narrow.narrow(2, wide.view(), wide.count, read);
+  for (std::int64_t k = 0; k < wide.count; ++k)
+    EXPECT_EQ(view.records[k * record_size + record_volume] == 7.0f, is_read(k)) << k;
+  EXPECT_EQ(narrow.out_of_reach(), std::optional<std::int64_t>(50));
+  wide.at(50, record_x) = wide.at(0, record_x);
+  wide.at(66, record_x) = wide.at(0, record_x) + position_reach;  // of a cluster that is not read
+  narrow.narrow(2, wide.view(), wide.count, read);
+  EXPECT_FALSE(narrow.out_of_reach());
+}
+
 }  // namespace
 }  // namespace scarp::test

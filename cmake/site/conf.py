@@ -33,7 +33,7 @@ CONTENTS = {
     "Theory": ["engine/THEORY", "kernels/EQUATIONS"],
     "Verification": ["validation/README"],
     "Programs": ["engine/python/README", "engine/LIBRARY", "engine/distributed/README"],
-    "Developers": ["engine/DEVELOPERS", "bench/README", "CHANGELOG"],
+    "Developers": ["engine/DEVELOPERS", "bench/README", "bench/peers/README", "CHANGELOG"],
 }
 
 

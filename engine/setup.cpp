@@ -81,9 +81,10 @@ std::array<double, 6> geostatic_stress(double pressure, double k0, const Vec3& u
 /// The particles of a material, on the scene's lattice.
 ParticleKind kind_of(const Scene& scene, std::size_t material) {
   const double volume = std::pow(scene.spacing, scene.dimension);
-  const double density = scene.materials[material].density;
-  return {material, density,         scene.spacing, scene.numerics.smoothing_ratio * scene.spacing,
-          volume,   density * volume};
+  const Material& of = scene.materials[material];
+  return {
+      material, of.density,          scene.spacing,  scene.numerics.smoothing_ratio * scene.spacing,
+      volume,   of.density * volume, of.mass_scaling};
 }
 
 void fill_particles(State& state, const Particles& soil) {
@@ -199,9 +200,11 @@ kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Mat
   c.reference_density = material.density;
   c.density_minimum = n.density_minimum * material.density;
   c.density_maximum = n.density_maximum * material.density;
-  c.diffusion_cap = material.model.yields() ? n.stress_diffusion : 0.0;
+  // The pass knows no inertia: what it takes for the speed of sound is that of the mass.
+  c.diffusion_cap =
+      material.model.yields() ? n.stress_diffusion / std::sqrt(material.mass_scaling) : 0.0;
   c.diffusion_shear_gate = n.diffusion_shear_gate;
-  std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
+  for (std::size_t a = 0; a < 3; ++a) c.gravity[a] = scene.gravity[a] / material.mass_scaling;
   c.k0 = k0_of(scene, material);
   c.gradient_correction = n.gradient_correction;
   c.hughes_winget = n.stress_rotation == StressRotation::hughes_winget;
@@ -270,8 +273,10 @@ State make_state(Scene scene, const RunOptions& options, const Particles* partic
                                   (n.lattice_normalisation ? state.lattice_moment : 1.0);
   set_material_constants(state);
   for (const Material& material : state.scene.materials) {
-    state.scaling.wave_modulus.push_back(material.model.moduli().wave_modulus());
+    state.scaling.wave_modulus.push_back(material.model.moduli().wave_modulus() /
+                                         material.mass_scaling);
   }
+  state.scaling.scales_mass = scales_mass(state.scene);
   set_pair_constants(state);
   const Particles soil =
       completed(state.scene,

@@ -109,7 +109,7 @@ void hold_off_faces(State& state) {
         if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
         v = plus(v, approach, facet.normal);
         held = true;
-        holds.add(w, walls, plus({}, -group.mass * approach, facet.normal));
+        holds.add(w, walls, plus({}, -group.inertia() * approach, facet.normal));
         ++faces;
       }
     }

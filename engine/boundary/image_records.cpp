@@ -157,6 +157,14 @@ void MirrorImages::pack_corrected(int threads, Records& records, const Mirrors& 
   });
 }
 
+void MirrorImages::copy_density(int threads, Records& records) const {
+  const std::int64_t first = records.layout()[Role::image].first;
+  each_after_its_source(threads, [&](std::size_t g) {
+    records.record(first + static_cast<std::int64_t>(g))[record_density] =
+        records.record(source_record(records, g))[record_density];
+  });
+}
+
 void MirrorImages::pack_second(int threads, Records& records, kernels::TermSet terms,
                                int dimension) const {
   const std::int64_t first = records.layout()[Role::image].first;

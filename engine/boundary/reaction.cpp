@@ -85,7 +85,7 @@ Vec3 total_force(const State& state, std::span<const std::int32_t> clusters,
                            end = std::min((cluster + 1) * size, group.end());
         for (std::int64_t k = first; k < end; ++k) part += acceleration[k];
       }
-      sum[a] += group.mass * part;
+      sum[a] += group.inertia() * part;
     }
   }
   return sum;

@@ -106,6 +106,11 @@ void Walls::pack(Records& records, std::int64_t dummy, const WallMaterial& mater
   r[record_sound_speed] = material.sound_speed;
 }
 
+void Walls::put_density(Records& records, double density) const {
+  for (std::int64_t k = 0; k < count(); ++k)
+    records.record(Role::dummy, k)[record_density] = density;
+}
+
 void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int dimension,
                      const WallMaterial& material) const {
   const auto k = static_cast<std::size_t>(dummy);

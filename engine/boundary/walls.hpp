@@ -71,6 +71,8 @@ class Walls {
                  int dimension, std::span<const std::int32_t> clusters,
                  const kernels::WallSweepView<double>& base, const WallMaterial& material,
                  const std::vector<Vec3>& wall_velocity, Records& records);
+  /// Another density into the records of all dummies.
+  void put_density(Records& records, double density) const;
   std::size_t bytes() const;
 
  private:

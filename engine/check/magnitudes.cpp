@@ -129,7 +129,7 @@ double youngs_modulus(const Material& material) {
 /// Pressure waves run at 1500 m/s in saturated soil and at 7000 m/s in the hardest rock.
 void check_stiffness(const Material& material, std::vector<std::string>& found) {
   constexpr double fastest = 10000.0;
-  const double speed = material.sound_speed();
+  const double speed = std::sqrt(material.model.moduli().wave_modulus() / material.density);
   if (speed <= fastest) return;
   found.push_back(
       fmt::format("material '{}': with E = {:.4g} Pa and a density of {:.4g} kg/m3 sound would run "

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/check/magnitudes.hpp"
 #include "engine/check/thin_places.hpp"
@@ -37,36 +38,66 @@ void check_strength(const Scene& scene, const Material& material, std::vector<st
   }
 }
 
-/// The stiffest material sets the step for all. Where it only carries, a hundred times the
-/// stiffness of the softest will do: under the same stress it strains a hundredth as much.
+/// The material with the fastest sound sets the step for all. Where it hardly moves, more inertia
+/// will do, without a change at rest. Where it only carries, a hundred times the stiffness of the
+/// softest will: under the same stress it strains a hundredth as much.
 void check_contrast(const Scene& scene, std::vector<std::string>& found) {
-  constexpr double much = 1000.0, enough = 100.0;
-  const Material *soft = nullptr, *fast = nullptr;
+  constexpr double several = 3.0, much = 1000.0, enough = 100.0;
+  const Material *soft = nullptr, *fast = nullptr, *next = nullptr;
   const auto stiffness = [](const Material& m) { return m.model.moduli().wave_modulus(); };
+  const auto faster = [](const Material& a, const Material* b) {
+    return b == nullptr || a.sound_speed() > b->sound_speed();
+  };
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     if (!is_used(scene, m)) continue;
     const Material& material = scene.materials[m];
     if (soft == nullptr || stiffness(material) < stiffness(*soft)) soft = &material;
-    if (fast == nullptr || material.sound_speed() > fast->sound_speed()) fast = &material;
+    if (faster(material, fast))
+      next = std::exchange(fast, &material);
+    else if (faster(material, next))
+      next = &material;
   }
-  if (soft == nullptr) return;
+  if (next == nullptr) return;
+  const double times = fast->sound_speed() / next->sound_speed();
+  if (times < several) return;
+  std::string text = fmt::format(
+      "material '{}' makes the time step {:.3g} times shorter than '{}' needs. Where it hardly "
+      "moves (bedrock, plates), try mass_scaling = {:.3g}: a step {:.3g} times longer, with the "
+      "same weight and the same stress at rest; what moves of it falls and swings {:.3g} times "
+      "more slowly.",
+      fast->name, times, next->name, fast->mass_scaling * times * times, times,
+      times * std::sqrt(fast->mass_scaling));
   const double contrast = stiffness(*fast) / stiffness(*soft);
-  if (contrast < much) return;
-  found.push_back(fmt::format(
-      "material '{}' makes the time step {:.3g} times shorter than '{}' needs. Where it only "
-      "carries, try a Young's modulus of {:.3g} times its own: {:.2g} times fewer steps; under the "
-      "same stress it "
-      "then "
-      "strains {:.0f} % as much as '{}', instead of {:.2g} %.",
-      fast->name, fast->sound_speed() / soft->sound_speed(), soft->name, enough / contrast,
-      std::sqrt(contrast / enough), 100.0 / enough, soft->name, 100.0 / contrast));
+  if (contrast >= much) {
+    text += fmt::format(
+        " Or, where it only carries, a Young's modulus of {:.3g} times its own: {:.2g} times fewer "
+        "steps; under the same stress it then strains {:.0f} % as much as '{}', instead of {:.2g} "
+        "%.",
+        enough / contrast, std::sqrt(contrast / enough), 100.0 / enough, soft->name,
+        100.0 / contrast);
+  }
+  found.push_back(std::move(text));
+}
+
+/// Soil that yields may come to move.
+void check_scaling(const Material& material, std::vector<std::string>& found) {
+  if (material.mass_scaling == 1.0 || !material.model.yields()) return;
+  found.push_back(
+      fmt::format("material '{}': it yields, and mass_scaling = {:.3g} lets it slide and fall "
+                  "{:.3g} times more "
+                  "slowly than soil does. That is right only where it does not fail. Try model = "
+                  "\"linear_elastic\" for what only carries, or without mass_scaling.",
+                  material.name, material.mass_scaling, std::sqrt(material.mass_scaling)));
 }
 
 }  // namespace
 
 std::vector<std::string> warnings(const Scene& scene) {
   std::vector<std::string> found;
-  for (const Material& material : scene.materials) check_strength(scene, material, found);
+  for (const Material& material : scene.materials) {
+    check_strength(scene, material, found);
+    check_scaling(material, found);
+  }
   check_magnitudes(scene, found);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     if (!is_used(scene, m)) {

@@ -80,6 +80,7 @@ std::string scene_text(const Scene& scene) {
     lines.add("density", material.density);
     lines.add("parameters", material.model.parameters());
     lines.add("k0", material.k0.value_or(chosen));
+    if (material.mass_scaling != 1.0) lines.add("mass_scaling", material.mass_scaling);
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];

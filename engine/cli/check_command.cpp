@@ -89,6 +89,7 @@ Json summary(const Scene& scene, const Subject& subject) {
                                  {"model", scene.materials[m].model.name()},
                                  {"particles", shown(subject.particles[m], subject.coarser)},
                                  {"density", scene.materials[m].density},
+                                 {"mass_scaling", scene.materials[m].mass_scaling},
                                  {"k0", k0_of(scene, scene.materials[m])}});
   }
   for (const Stage& stage : scene.stages) {

@@ -29,7 +29,7 @@ StoredEnergy own_energy(const State& state) {
   const ParticleBuffers& p = state.particles;
   const int dimension = state.scene.dimension;
   for (const ParticleGroup& group : p.groups()) {
-    const double mass = group.mass;
+    const double mass = group.mass, inertia = group.inertia();
     const kernels::ElasticModuli moduli = state.scene.materials[group.material].model.moduli();
     for (std::int64_t k = group.first; k < group.end(); ++k) {
       const auto value = [&](Field field, int component) {
@@ -38,7 +38,8 @@ StoredEnergy own_energy(const State& state) {
       };
       for (int a = 0; a < dimension; ++a) {
         const double v = value(Field::velocity, a);
-        sum.parts.kinetic += 0.5 * mass * v * v;
+        sum.parts.kinetic += 0.5 * inertia * v * v;
+        sum.parts.kinetic_added += 0.5 * (inertia - mass) * v * v;
         sum.parts.potential -=
             mass * state.scene.gravity[static_cast<std::size_t>(a)] * value(Field::position, a);
       }
@@ -60,9 +61,9 @@ StoredEnergy own_energy(const State& state) {
 /// Of the soil of all parts.
 StoredEnergy stored_energy(const State& state) {
   StoredEnergy sum = own_energy(state);
-  state.reduction->sum_each({&sum.parts.kinetic, &sum.parts.potential, &sum.parts.elastic,
-                             &sum.parts.plastic, &sum.parts.diffusion, &sum.parts.hooks,
-                             &sum.parts.sleep, &sum.stress_work});
+  state.reduction->sum_each({&sum.parts.kinetic, &sum.parts.kinetic_added, &sum.parts.potential,
+                             &sum.parts.elastic, &sum.parts.plastic, &sum.parts.diffusion,
+                             &sum.parts.hooks, &sum.parts.sleep, &sum.stress_work});
   return sum;
 }
 
@@ -77,7 +78,7 @@ double power(const State& state, const Acceleration& acceleration) {
       const double* f = acceleration[static_cast<std::size_t>(a)].data();
       double part = 0.0;
       for (std::int64_t k = group.first; k < group.end(); ++k) part += v[k] * f[k];
-      sum += group.mass * part;
+      sum += group.inertia() * part;
     }
   }
   return sum;
@@ -120,7 +121,7 @@ void sample_energy(State& state) {
   for (const ParticleGroup& group : state.particles.groups()) {
     for (int a = 0; a < state.scene.dimension; ++a) {
       const double* v = state.particles.component(Field::velocity, a);
-      const double drag = state.stage.damping * group.mass;
+      const double drag = state.stage.damping * group.inertia();
       for (std::int64_t k = group.first; k < group.end(); ++k) now.damping += drag * v[k] * v[k];
     }
   }
@@ -159,6 +160,7 @@ EnergyBalance energy_balance(const State& state) {
   const StoredEnergy now = stored_energy(state);
   EnergyBalance e;
   e.kinetic = now.parts.kinetic;
+  e.kinetic_added = now.parts.kinetic_added;
   e.potential = now.parts.potential - ledger.start.potential;
   e.elastic = now.parts.elastic - ledger.start.elastic;
   e.plastic = now.parts.plastic - ledger.start.plastic;

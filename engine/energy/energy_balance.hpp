@@ -7,6 +7,7 @@ namespace scarp {
 /// Energies [J, per metre of thickness in 2D]; dissipated parts are 0 unless `Output::energy`.
 struct EnergyBalance {
   double kinetic = 0.0;
+  double kinetic_added = 0.0;      ///< part of it: of inertia that `mass_scaling` adds
   double potential = 0.0;          ///< relative to the start of the stage
   double elastic = 0.0;            ///< relative to the start of the stage
   double plastic = 0.0;            ///< work of the stress on the plastic strain

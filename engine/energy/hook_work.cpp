@@ -54,7 +54,7 @@ double HookMeter::power_of_change(const Vectors& before) const {
       const double* then = before[static_cast<std::size_t>(a)].data();
       double part = 0.0;
       for (std::int64_t k = group.first; k < group.end(); ++k) part += v[k] * (now[k] - then[k]);
-      power += group.mass * part;
+      power += group.inertia() * part;
     }
   }
   return power;

@@ -66,6 +66,15 @@ void check_reducible(const Scene& scene) {
                        "stage before, and cut the strength in one that changes nothing else.",
                        wall.name, goes ? "is removed" : "moves", last->name));
   }
+  for (const Material& material : scene.materials) {
+    if (material.mass_scaling == 1.0 || !material.model.yields()) continue;
+    refuse(
+        scene,
+        fmt::format("material '{}': with mass_scaling = {:.4g} it slides {:.3g} times more slowly "
+                    "than soil does, so that a slope that fails would seem to stand. Try "
+                    "without it, or model = \"linear_elastic\" for what only carries.",
+                    material.name, material.mass_scaling, std::sqrt(material.mass_scaling)));
+  }
   const auto yields = [](const Material& material) { return material.model.yields(); };
   if (std::none_of(scene.materials.begin(), scene.materials.end(), yields)) {
     refuse(scene,

@@ -15,12 +15,15 @@ void kick_half(State& state) {
   for (int a = 0; a < state.scene.dimension; ++a) {
     double* velocity = state.particles.component(Field::velocity, a);
     const double* acceleration = state.particles.component(Field::acceleration, a);
-    const double gravity = state.scene.gravity[static_cast<std::size_t>(a)];
+    const auto axis = static_cast<std::size_t>(a);
     each_slot(state.threads, state.sleep.awake, state.particles.slots(),
               [&](std::int64_t begin, std::int64_t end) {
-                for (std::int64_t k = begin; k < end; ++k) {
-                  velocity[k] = keep * velocity[k] + gain * (acceleration[k] + gravity);
-                }
+                each_group(state.particles.groups(), begin, end,
+                           [&](const ParticleGroup& group, std::int64_t from, std::int64_t to) {
+                             const double fall = group.fall(state.scene.gravity)[axis];
+                             for (std::int64_t k = from; k < to; ++k)
+                               velocity[k] = keep * velocity[k] + gain * (acceleration[k] + fall);
+                           });
               });
   }
 }

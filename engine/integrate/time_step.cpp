@@ -50,13 +50,14 @@ StateExtremes find_extremes(int threads, const ParticleBuffers& particles, const
   for (std::size_t index = 0; index < particles.groups().size(); ++index) {
     const ParticleGroup& group = particles.groups()[index];
     const double modulus = scaling.wave_modulus[group.material];
+    const Vec3 fall = group.fall(gravity);
     const auto scan = [&](std::int64_t begin, std::int64_t end) {
       StateExtremes e;
       for (std::int64_t k = begin; k < end; ++k) {
         double speed = 0.0, force = 0.0;
         for (int a = 0; a < dimension; ++a) {
           const double v = velocity[a][k];
-          const double f = acceleration[a][k] + gravity[static_cast<std::size_t>(a)] - damping * v;
+          const double f = acceleration[a][k] + fall[static_cast<std::size_t>(a)] - damping * v;
           speed += v * v;
           force += f * f;
         }

@@ -73,8 +73,9 @@ struct EnergyColumn {
   const char* name;
   double EnergyBalance::*value;
 };
-constexpr std::array<EnergyColumn, 12> energy_columns{{
+constexpr std::array<EnergyColumn, 13> energy_columns{{
     {"kinetic", &EnergyBalance::kinetic},
+    {"kinetic_added", &EnergyBalance::kinetic_added},
     {"potential", &EnergyBalance::potential},
     {"elastic", &EnergyBalance::elastic},
     {"plastic", &EnergyBalance::plastic},
@@ -88,9 +89,11 @@ constexpr std::array<EnergyColumn, 12> energy_columns{{
     {"imbalance", &EnergyBalance::imbalance},
 }};
 
-/// Without soil that may sleep the column is left out.
+/// Columns of what the scene does not have are left out.
 bool is_written(const Scene& scene, const EnergyColumn& column) {
-  return column.value != &EnergyBalance::sleep || soil_may_sleep(scene);
+  if (column.value == &EnergyBalance::sleep) return soil_may_sleep(scene);
+  if (column.value == &EnergyBalance::kinetic_added) return scales_mass(scene);
+  return true;
 }
 
 Titles energy_titles(const Scene& scene) {

@@ -208,6 +208,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
     json["materials"].push_back({{"name", material.name},
                                  {"model", material.model.name()},
                                  {"density", material.density},
+                                 {"mass_scaling", material.mass_scaling},
                                  {"k0", k0_of(scene, material)}});
   }
   for (std::size_t k = 0; k < std::size(step_limit_names); ++k)

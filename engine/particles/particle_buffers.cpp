@@ -83,6 +83,12 @@ double ParticleBuffers::mass() const {
   for (const ParticleGroup& group : groups_) sum += static_cast<double>(group.count) * group.mass;
   return sum;
 }
+double ParticleBuffers::inertia() const {
+  double sum = 0.0;
+  for (const ParticleGroup& group : groups_)
+    sum += static_cast<double>(group.count) * group.inertia();
+  return sum;
+}
 
 void ParticleBuffers::rearrange(std::vector<ParticleGroup> groups,
                                 std::span<const std::int64_t> from) {

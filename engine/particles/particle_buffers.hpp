@@ -2,6 +2,7 @@
 /// Storage of the soil particles: one array per field component, grouped by material.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -20,7 +21,14 @@ struct ParticleKind {
   double spacing = 0.0;            ///< dx [m]
   double smoothing_length = 0.0;   ///< h [m]
   double volume = 0.0;             ///< dx^d [m3, m2 in 2D]
-  double mass = 0.0;               ///< [kg, per metre in 2D]
+  double mass = 0.0;               ///< what weighs, and what density counts [kg, per metre in 2D]
+  double mass_scaling = 1.0;       ///< inertia over mass. Equation: I2
+
+  double inertia() const { return mass * mass_scaling; }
+  /// What the weight alone accelerates it by.
+  std::array<double, 3> fall(const std::array<double, 3>& gravity) const {
+    return {gravity[0] / mass_scaling, gravity[1] / mass_scaling, gravity[2] / mass_scaling};
+  }
 };
 
 /// Consecutive particles of one kind: slots [first, first + count), padded to `capacity`.
@@ -35,6 +43,16 @@ struct ParticleGroup : ParticleKind {
 
 /// Slots of a group are a multiple of this: every vector and cluster size divides it.
 inline constexpr std::int64_t group_alignment = 16;
+
+/// Calls f(group, begin, end) for each group's part of the slots [begin, end), padding included.
+template <class F>
+void each_group(std::span<const ParticleGroup> groups, std::int64_t begin, std::int64_t end,
+                F&& f) {
+  for (const ParticleGroup& group : groups) {
+    const std::int64_t from = std::max(begin, group.first), to = std::min(end, group.padded_end());
+    if (from < to) f(group, from, to);
+  }
+}
 
 constexpr std::int64_t padded(std::int64_t count) {
   return (count + group_alignment - 1) / group_alignment * group_alignment;
@@ -74,6 +92,7 @@ class ParticleBuffers {
   const ParticleGroup& group_of(std::int64_t slot) const;
   double largest_spacing() const;                    ///< of the groups [m]
   double mass() const;                               ///< of all particles [kg]
+  double inertia() const;                            ///< of all particles [kg]
   std::vector<std::int64_t>& ids() { return ids_; }  ///< permanent id by slot; -1 in padding
   const std::vector<std::int64_t>& ids() const { return ids_; }
 

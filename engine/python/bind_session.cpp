@@ -119,6 +119,7 @@ py::dict probe_of(const Simulation& simulation, const std::string& name) {
 
 py::dict energy_of(const EnergyBalance& e) {
   return dict_of({{"kinetic", py::cast(e.kinetic)},
+                  {"kinetic_added", py::cast(e.kinetic_added)},
                   {"potential", py::cast(e.potential)},
                   {"elastic", py::cast(e.elastic)},
                   {"plastic", py::cast(e.plastic)},

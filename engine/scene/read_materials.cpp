@@ -62,7 +62,7 @@ double read_density(const Table& material, const Vec3& gravity) {
 Material read_material(const Value& item, const Scene& scene) {
   if (!item.is_table()) item.table({"name"});
   const kernels::ModelInfo& model = read_model(item);
-  Keys known = {"name", "model", "density", "unit_weight", "k0"};
+  Keys known = {"name", "model", "density", "unit_weight", "k0", "mass_scaling"};
   for (const auto& spec : model.parameters) known.push_back(spec.name);
   const Table table = item.table(known);
 
@@ -72,6 +72,14 @@ Material read_material(const Value& item, const Scene& scene) {
   if (const auto k0 = table.find("k0")) {
     material.k0 = k0->number(kernels::Unit::none);
     if (!(*material.k0 >= 0.0)) k0->fail("it is negative. Try 0.5, or without it.");
+  }
+  if (const auto scaling = table.find("mass_scaling")) {
+    material.mass_scaling = scaling->number(kernels::Unit::none);
+    if (!(material.mass_scaling >= 1.0)) {
+      scaling->fail(
+          "it is below 1, which would make the inertia less than that of the mass and the time "
+          "step shorter. Try 100, or without it.");
+    }
   }
   std::vector<double> parameters;
   for (const auto& spec : model.parameters) {

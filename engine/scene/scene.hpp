@@ -87,8 +87,10 @@ struct Material {
   SoilModel model{};           ///< as in `DruckerPrager{.youngs_modulus = 10e6, ...}`
   double density = 0.0;        ///< reference density [kg/m3]
   std::optional<double> k0{};  ///< horizontal over vertical stress; empty: `Scene::initial_k0`
+  double mass_scaling = 1.0;   ///< inertia over mass, 1 or more [-]; weight stays. Equation: I2
 
-  double sound_speed() const;  ///< of pressure waves [m/s]. Pre: the material is valid
+  /// Of pressure waves, with the scaled inertia [m/s]. Pre: the material is valid
+  double sound_speed() const;
 };
 
 struct Polygon {  ///< 2D outline, or in 3D its extrusion along y
@@ -235,6 +237,8 @@ std::string point_text(const Vec3& point, int dimension);
 /// Horizontal over vertical stress of a material at rest: its own, else that of the scene, else
 /// nu/(1 - nu). Geostatic stress, stress diffusion and mirror images take it.
 double k0_of(const Scene& scene, const Material& material);
+/// Whether any material's inertia is not its mass.
+bool scales_mass(const Scene& scene);
 
 /// History variables of the models of a scene, each name once: the fields that they add. Errors:
 /// SceneError for more than a run can hold.

@@ -70,6 +70,7 @@ void check_material(const Material& material, const std::string& path) {
        fmt::format("model {} has {} parameters. Try to give each of them.", model.name(),
                    specs.size()));
   if (material.k0) inside(*material.k0, 0.0, 10.0, path + ".k0");
+  inside(material.mass_scaling, 1.0, 1e6, path + ".mass_scaling");
   const auto key = [&](std::size_t p) { return fmt::format("{}.{}", path, specs[p].name); };
   for (std::size_t p = 0; p < specs.size(); ++p) {
     const auto& spec = specs[p];
@@ -178,7 +179,14 @@ bool is_used(const Scene& scene, std::size_t material) {
                      [&](const Body& body) { return material_of(scene, body) == material; });
 }
 
-double Material::sound_speed() const { return std::sqrt(model.moduli().wave_modulus() / density); }
+double Material::sound_speed() const {
+  return std::sqrt(model.moduli().wave_modulus() / (mass_scaling * density));
+}
+
+bool scales_mass(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& material) { return material.mass_scaling != 1.0; });
+}
 
 double k0_of(const Scene& scene, const Material& material) {
   if (material.k0) return *material.k0;
@@ -216,6 +224,10 @@ void validate(const Scene& scene, bool needs_bodies) {
   };
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     check_material(scene.materials[m], item("material", m));
+    rule(scene.materials[m].mass_scaling == 1.0 || scene.numerics.artificial_stress == 0.0,
+         item("material", m) + ".mass_scaling", fmt::format("{}", scene.materials[m].mass_scaling),
+         "the artificial stress goes by the densities of a pair, and would follow the scaled "
+         "inertia. Try artificial_stress = 0, or without mass_scaling.");
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) checks::body(scene, b, item("body", b));
   for (std::size_t w = 0; w < scene.walls.size(); ++w) {

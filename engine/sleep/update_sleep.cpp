@@ -119,21 +119,29 @@ class SleepUpdate {
     }
   }
 
+  /// Inertia over mass. Sleep takes momentum and force away, and bounds are those of soil whose
+  /// inertia is its mass.
+  double scaling(std::int32_t block) const {
+    return particles_.group_of(block * block_size).mass_scaling;
+  }
   /// Squares of what a particle has.
   double speed_square(std::int64_t k) const {
     double sum = 0.0;
     for (int a = 0; a < particles_.dimension(); ++a) sum += square(velocity_[a][k]);
     return sum;
   }
-  double unbalanced_square(std::int64_t k) const {
+  double unbalanced_square(std::int64_t k, double scaling) const {
     double sum = 0.0;
     for (int a = 0; a < particles_.dimension(); ++a)
-      sum += square(acceleration_[a][k] + state_.scene.gravity[static_cast<std::size_t>(a)]);
+      sum +=
+          square(scaling * acceleration_[a][k] + state_.scene.gravity[static_cast<std::size_t>(a)]);
     return sum;
   }
   bool any_faster(std::int32_t block, double bound_square) const {
     bool any = false;
-    each_particle(block, [&](std::int64_t k) { any = any || speed_square(k) > bound_square; });
+    const double momentum = square(scaling(block));
+    each_particle(block,
+                  [&](std::int64_t k) { any = any || momentum * speed_square(k) > bound_square; });
     return any;
   }
 
@@ -144,10 +152,11 @@ class SleepUpdate {
     double* const then = particles_.component(Field::stirred_history);
     const double yields = yield_bound(block);
     const SleepBounds& bounds = sleep_.bounds;
+    const double by_mass = scaling(block);
     bool calm = true;
     each_particle(block, [&](std::int64_t k) {
-      bool stirred = !(speed_square(k) <= square(bounds.speed) &&
-                       unbalanced_square(k) <= square(bounds.acceleration));
+      bool stirred = !(square(by_mass) * speed_square(k) <= square(bounds.speed) &&
+                       unbalanced_square(k, by_mass) <= square(bounds.acceleration));
       if (then != nullptr) {
         double history = 0.0;
         for (const double* values : history_) history += values[k];
@@ -166,7 +175,7 @@ class SleepUpdate {
   double yield_bound(std::int32_t block) const {
     const std::size_t material = particles_.group_of(block * block_size).material;
     return sleep_.bounds.lasting * state_.scene.materials[material].density *
-           state_.smoothing_length / state_.scaling.wave_modulus[material];
+           state_.smoothing_length / (scaling(block) * state_.scaling.wave_modulus[material]);
   }
   bool rested(std::int32_t block) const {
     const double* time = particles_.component(Field::stirred_time);
@@ -184,6 +193,7 @@ class SleepUpdate {
   bool has_lost_balance(std::int32_t block) {
     const double interval = static_cast<double>(steps_per_edge_look) * state_.clock.time_step;
     const double weight = std::min(1.0, interval / sleep_.bounds.window);
+    const double by_mass = scaling(block);
     bool lost = false;
     double* const time = particles_.component(Field::stirred_time);
     each_particle(block, [&](std::int64_t k) {
@@ -196,7 +206,7 @@ class SleepUpdate {
       for (int a = 0; a < particles_.dimension(); ++a) {
         double& mean = particles_.component(Field::rest_change, a)[k];
         const double change =
-            acceleration_[a][k] - particles_.component(Field::rest_acceleration, a)[k];
+            by_mass * (acceleration_[a][k] - particles_.component(Field::rest_acceleration, a)[k]);
         mean += weight * (change - mean);
         at_once += change * change;
         lasting += mean * mean;
@@ -220,9 +230,9 @@ class SleepUpdate {
 
   /// The level before is the one that stays; what follows from a velocity is that of zero.
   void put_to_sleep(std::int32_t block) {
-    const double mass = particles_.group_of(block * block_size).mass;
+    const double inertia = particles_.group_of(block * block_size).inertia();
     each_particle(block, [&](std::int64_t k) {
-      sleep_.kinetic += 0.5 * mass * speed_square(k);
+      sleep_.kinetic += 0.5 * inertia * speed_square(k);
       for (const Field field : {Field::velocity, Field::previous_velocity, Field::diffusivity,
                                 Field::strain_rate, Field::approach_rate})
         fill(field, k, 0.0);

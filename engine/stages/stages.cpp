@@ -58,8 +58,26 @@ struct Stretch {
   double passage = 0.0;  ///< of a wave at the speed in its slowest material [s]
 };
 
+using Levels = std::vector<std::pair<double, std::size_t>>;
+
+/// Scaled inertia on soft soil swings more slowly than a wave crosses either of them. Equation: I2;
+/// passage^2 = 2 int s rho F dz, F the integral of dz/M from the bottom to z: Dunkerley's sum, H/c
+/// where the soil is uniform. For levels [first, end) of a stretch of this height.
+double scaled_passage(const Scene& scene, const Levels& all, std::size_t first, std::size_t end,
+                      double height) {
+  const double layer = height / static_cast<double>(end - first);
+  double compliance = 0.0, sum = 0.0;
+  for (std::size_t i = first; i < end; ++i) {
+    const Material& material = scene.materials[all[i].second];
+    const double own = layer / material.model.moduli().wave_modulus();
+    sum += material.mass_scaling * material.density * layer * (compliance + 0.5 * own);
+    compliance += own;
+  }
+  return std::sqrt(2.0 * sum);
+}
+
 Stretch tallest_stretch(const State& state) {
-  std::vector<std::pair<double, std::size_t>> all = levels(state);
+  Levels all = levels(state);
   std::sort(all.begin(), all.end());
   Stretch tallest;
   for (std::size_t first = 0, k = 0; k < all.size(); ++k) {
@@ -73,6 +91,10 @@ Stretch tallest_stretch(const State& state) {
     const double height = all[k].first - all[first].first + state.particles.largest_spacing();
     tallest.height = std::max(tallest.height, height);
     tallest.passage = std::max(tallest.passage, height / slowest);
+    if (state.scaling.scales_mass) {
+      tallest.passage =
+          std::max(tallest.passage, scaled_passage(state.scene, all, first, k + 1, height));
+    }
     first = k + 1;
   }
   return tallest;
@@ -163,6 +185,8 @@ void enter_stage(State& state) {
   const Vec3& g = state.scene.gravity;
   const double fall = std::sqrt(height / std::max(std::hypot(g[0], g[1], g[2]), 1e-12));
   state.stage.rest_window = state.stage.damping > 0.0 ? 4.0 * passage : fall;
+  if (state.scaling.scales_mass)  // what swings slowly is slow for long where it turns
+    state.stage.rest_window = std::max(state.stage.rest_window, 4.0 * passage);
   state.stage.start_speed = fastest(state);
   wake_all(state);
   set_sleep_bounds(state, height, passage);

@@ -64,7 +64,9 @@ ChosenKernels choose_kernels(const Scene& scene, bool yields, const kernels::Ker
     return ChosenSweep{kernel(terms),
                        kernel(terms.without(kernels::marked_terms(kernels::PairTerms{})))};
   };
-  if (scene.numerics.integrator == Integrator::verlet && !chosen.corrects_forces())
+  // Forces want the inertia where the density rate wants the mass.
+  if (scene.numerics.integrator == Integrator::verlet && !chosen.corrects_forces() &&
+      !scales_mass(scene))
     chosen.fused = sweep(chosen.terms);
   chosen.gradient = sweep(kernels::gradient_terms(chosen.terms));
   chosen.force = sweep(kernels::force_terms(chosen.terms));

@@ -66,9 +66,22 @@ void run(const State& state, const SweepKernel& sweep, std::span<const std::int3
   run(state, sweep.mixed, std::ssize(clusters), narrow);
 }
 
+/// The sweep of forces divides by inertia, and viscosity is that of the inertia of both of a pair;
+/// what came before it took weights and masses from the density.
+void put_inertia(State& state) {
+  Records& records = state.sweep.records;
+  records.put_inertia(state.threads, Role::owned, state.particles,
+                      state.sleep.packed_all ? SlotRanges() : state.sleep.packed);
+  records.put_inertia(state.threads, Role::ghost, state.ghosts);
+  state.boundary.images.copy_density(state.threads, records);
+  const Material& of_walls = state.scene.materials[state.boundary.material];
+  state.boundary.walls.put_density(records, of_walls.mass_scaling * of_walls.density);
+}
+
 /// Second lines are packed just before the terms that read them are summed; while all are zero, the
 /// sweep without these terms runs.
 void run_force_sweep(State& state, const ChosenSweep& sweep) {
+  if (state.scaling.scales_mass) put_inertia(state);
   kernels::PairSweepView<double> view = sweep_view(state);
   Records& records = state.sweep.records;
   const bool marked =

@@ -113,6 +113,21 @@ double Records::pack(int threads, Role role, const ParticleBuffers& particles,
   return largest;
 }
 
+void Records::put_inertia(int threads, Role role, const ParticleBuffers& particles,
+                          const SlotRanges& which) {
+  const double* density = particles.component(Field::density);
+  double* const first = record(layout_[role].first);
+  each_slot(threads, which, particles.slots(), [&](std::int64_t begin, std::int64_t end) {
+    each_group(particles.groups(), begin, end,
+               [&](const ParticleGroup& group, std::int64_t from, std::int64_t to) {
+                 if (group.mass_scaling == 1.0) return;
+                 to = std::min(to, group.end());
+                 for (std::int64_t k = from; k < to; ++k)
+                   first[k * record_size + record_density] = group.mass_scaling * density[k];
+               });
+  });
+}
+
 void Records::take_second() {
   second_.resize(static_cast<std::size_t>(layout_.records()) * second_record_size, 0.0);
   marked_.resize(static_cast<std::size_t>(layout_.records()), 0);

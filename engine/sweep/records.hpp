@@ -18,8 +18,10 @@ namespace scarp {
 /// What turns a particle into a record, besides what its group knows.
 struct RecordScaling {
   double inverse_smoothing_length = 1.0;
-  double gradient_factor = 1.0;      ///< alpha_D / (h^(d+1) M), see kernels::RecordSlot
-  std::vector<double> wave_modulus;  ///< by material, K + 4G/3 [Pa]
+  double gradient_factor = 1.0;  ///< alpha_D / (h^(d+1) M), see kernels::RecordSlot
+  /// By material, K + 4G/3 over the mass scaling: density times squared speed of sound [Pa].
+  std::vector<double> wave_modulus;
+  bool scales_mass = false;  ///< some material's inertia is not its mass
 };
 
 /// What the stress slots of the soil's records hold: the stress, or T = sigma B, which the force is
@@ -50,6 +52,10 @@ class Records {
   double pack(int threads, Role role, const ParticleBuffers& particles,
               const RecordScaling& scaling, kernels::SlotSet read, StressForm form,
               const SlotRanges& which = {});
+  /// Puts inertia over volume in place of the density, where the two differ; before forces are
+  /// summed, when walls and images have had the weight. Equation: I2.
+  void put_inertia(int threads, Role role, const ParticleBuffers& particles,
+                   const SlotRanges& which = {});
   /// How the soil was packed last.
   StressForm stress_form() const { return form_; }
   /// T of a record, and another one into it.

@@ -38,8 +38,11 @@ class LostSearch {
         weight_(std::sqrt(dot(state.scene.gravity, state.scene.gravity))) {
     // Half of what a fall over the reach gives, or of the speed that damping allows.
     const double damping = state.stage.damping;
-    falls_at_ = 0.5 * std::sqrt(2.0 * weight_ * reach_);
-    if (damping > 0.0) falls_at_ = std::min(falls_at_, 0.5 * weight_ / damping);
+    for (const ParticleGroup& group : state.particles.groups()) {
+      const double g = weight_ / group.mass_scaling;
+      double& at = falls_at_.emplace_back(0.5 * std::sqrt(2.0 * g * reach_));
+      if (damping > 0.0) at = std::min(at, 0.5 * g / damping);
+    }
     for (std::size_t w = 0; w < state.scene.walls.size(); ++w) {
       if (!state.boundary.stands[w]) continue;
       for (std::size_t a = 0; a < 3; ++a) {
@@ -68,6 +71,10 @@ class LostSearch {
     return v;
   }
   double down(const Vec3& v) const { return dot(v, state_.scene.gravity) / weight_; }
+  /// What its weight alone accelerates a particle by.
+  Vec3 fall(std::int64_t slot) const {
+    return state_.particles.group_of(slot).fall(state_.scene.gravity);
+  }
 
   /// Slots for which is(slot, search) holds and that have not been counted, in order.
   template <class Is>
@@ -94,17 +101,19 @@ class LostSearch {
 
   bool falls_free(std::int64_t slot, FacetSearch& search) const {
     const Vec3 v = vector(Field::velocity, slot);
-    if (!(down(v) > falls_at_)) return false;
+    const ParticleGroup& group = state_.particles.group_of(slot);
+    if (!(down(v) > falls_at_[static_cast<std::size_t>(&group - state_.particles.groups().data())]))
+      return false;
     const Vec3 x = vector(Field::position, slot);
     if (!(down(minus(x, vector(Field::reference_position, slot))) > reach_)) return false;
-    return !meets_a_wall(x, v, search);
+    return !meets_a_wall(x, v, fall(slot), search);
   }
 
   /// Whether x + v t + g t^2/2 comes through a facet, or past its edge within a spacing, at t > 0.
-  bool meets_a_wall(const Vec3& x, const Vec3& v, FacetSearch& search) const {
+  bool meets_a_wall(const Vec3& x, const Vec3& v, const Vec3& g, FacetSearch& search) const {
     const auto passes_by = [&](std::size_t wall) {
-      return [this, start = minus(x, walls_.offset[wall]), v](const AxisBox& box) {
-        return passes(start, v, box.widened(1.5 * state_.particles.largest_spacing()));
+      return [this, start = minus(x, walls_.offset[wall]), v, g](const AxisBox& box) {
+        return passes(start, v, g, box.widened(1.5 * state_.particles.largest_spacing()));
       };
     };
     const auto found = surface_.find(passes_by, search);
@@ -114,21 +123,21 @@ class LostSearch {
       if (!walls_.stands[w]) return false;
       const Vec3 from_wall = minus(x, walls_.offset[w]);
       // The height over the face is c + b t + a t^2.
-      const double a = 0.5 * dot(state_.scene.gravity, facet.normal), b = dot(v, facet.normal),
+      const double a = 0.5 * dot(g, facet.normal), b = dot(v, facet.normal),
                    c = dot(minus(from_wall, facet.origin), facet.normal);
       const std::array<double, 2> times = roots(a, b, c);
       return std::any_of(times.begin(), times.end(), [&](double t) {
-        return t > 0.0 && coordinates(facet, dimension_, at_time(t, from_wall, v))
+        return t > 0.0 && coordinates(facet, dimension_, at_time(t, from_wall, v, g))
                               .above(facet, state_.particles.largest_spacing());
       });
     });
   }
-  Vec3 at_time(double t, const Vec3& x, const Vec3& v) const {
-    return plus(plus(x, t, v), 0.5 * t * t, state_.scene.gravity);
+  static Vec3 at_time(double t, const Vec3& x, const Vec3& v, const Vec3& g) {
+    return plus(plus(x, t, v), 0.5 * t * t, g);
   }
   /// Whether that way is in the box at some time t > 0, or all but: it begins there or comes in
   /// through a side.
-  bool passes(const Vec3& x, const Vec3& v, const AxisBox& box) const {
+  bool passes(const Vec3& x, const Vec3& v, const Vec3& g, const AxisBox& box) const {
     const AxisBox wider =
         box.widened(0.5 * state_.particles.largest_spacing());  // far above round-off
     const auto is_inside = [&](const Vec3& point) {
@@ -137,8 +146,8 @@ class LostSearch {
     if (is_inside(x)) return true;
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a) {
       for (const double side : {box.low[a], box.high[a]}) {
-        for (const double t : roots(0.5 * state_.scene.gravity[a], v[a], x[a] - side)) {
-          if (t > 0.0 && is_inside(at_time(t, x, v))) return true;
+        for (const double t : roots(0.5 * g[a], v[a], x[a] - side)) {
+          if (t > 0.0 && is_inside(at_time(t, x, v, g))) return true;
         }
       }
     }
@@ -160,7 +169,7 @@ class LostSearch {
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a)
       outside |= x[a] < lowest_[a] - reach_ || x[a] > highest_[a] + reach_;
     return outside && is_behind(x, search) &&
-           !meets_a_wall(x, vector(Field::velocity, slot), search);
+           !meets_a_wall(x, vector(Field::velocity, slot), fall(slot), search);
   }
 
   /// Whether the point lies on the back of every facet that is nearest to it.
@@ -224,7 +233,8 @@ class LostSearch {
   WallPlacement walls_;
   int dimension_;
   double reach_, weight_;
-  double falls_at_ = 0.0;  ///< speed along gravity from which a particle counts as falling
+  /// By group: speed along gravity from which a particle counts as falling.
+  std::vector<double> falls_at_;
   /// Of the walls that stand.
   Vec3 lowest_{infinity, infinity, infinity}, highest_{-infinity, -infinity, -infinity};
 };

@@ -151,12 +151,12 @@ std::optional<Instability> energy_from_nothing(const State& state) {
   const EnergyBalance& start = state.ledger.start;
   const EnergyBalance now = energy_balance(state);
   const double gain = now.kinetic - start.kinetic + now.potential + now.elastic - now.hooks;
-  double mass = state.particles.mass(), by_hooks = state.ledger.hooks.sum;
-  state.reduction->sum_each({&mass, &by_hooks});
+  double inertia = state.particles.inertia(), by_hooks = state.ledger.hooks.sum;
+  state.reduction->sum_each({&inertia, &by_hooks});
   // Without weight, speed and stress round-off is all there is: a thousandth of the wave speed.
   const double slow = 1e-3 * state.limits.sound_speed;
   const double spent = start.kinetic + start.elastic + std::max(-now.potential, 0.0) + by_hooks +
-                       0.5 * mass * slow * slow;
+                       0.5 * inertia * slow * slow;
   const std::int64_t likeliest = fastest_slot(state);
   if (gain <= spent || likeliest < 0) return {};
   Instability found = at_particle(state, likeliest);

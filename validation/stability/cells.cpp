@@ -82,20 +82,25 @@ void add_stiffness(Map& map) {
             {"0.45", poisson(0.45)},
             {"0.49", poisson(0.49)},
             {"0.499", poisson(0.499), true}});
-  // A layer of the other material under or above the soil.
-  const auto layered = [](double youngs_below, double youngs_above) {
+  // A layer of the other material under or above the soil; the stiff one's inertia so many times
+  // its mass.
+  const auto layered = [](double youngs_below, double youngs_above, double scaling = 1.0) {
     return [=](Cell& cell) {
       Material below = soil(youngs_below), above = soil(youngs_above);
       below.name = "below";
       above.name = "above";
+      (youngs_below > youngs_above ? below : above).mass_scaling = scaling;
+      if (scaling > 1.0) cell.scene.numerics.artificial_stress = 0.0;
       cell.scene.materials = {below, above};
       cell.scene.bodies = {box_of("below", 0, 0, 20, 3), box_of("above", 0, 3, 20, 6)};
     };
   };
   const Build bed = [](const std::string& name) { return bed_scene(name, 20, 6, 0.5); };
-  map.axis(
-      {"stiffness", "contrast", bed, true, 300.0, false, true},
-      {{"10^4, stiff below", layered(1e10, 1e6), true}, {"10^4, stiff above", layered(1e6, 1e10)}});
+  map.axis({"stiffness", "contrast", bed, true, 300.0, false, true},
+           {{"10^4, stiff below", layered(1e10, 1e6), true},
+            {"10^4, stiff above", layered(1e6, 1e10)},
+            {"stiff below, mass x 10^4", layered(1e10, 1e6, 1e4), true},
+            {"stiff above, mass x 100", layered(1e6, 1e10, 100.0)}});
 }
 
 void add_strength(Map& map) {

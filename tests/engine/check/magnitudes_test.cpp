@@ -65,6 +65,49 @@ TEST(MagnitudesTest, WhatSoilsHaveIsNotTold) {
   EXPECT_TRUE(warnings(read_scene_text(replaced(free, "\"geostatic\"", "\"zero\""), "a")).empty());
 }
 
+/// Clay of 100 MPa on rock of so much, with this line more for each.
+std::string contrast_warnings(const char* rock_modulus, const char* of_rock, const char* of_clay) {
+  const std::string rock =
+      std::string("[[material]]\nname = \"rock\"\nmodel = \"linear_elastic\"") +
+      "\ndensity = 2000\npoisson_ratio = 0.3\nyoungs_modulus = \"" + rock_modulus + "\"\n" +
+      of_rock + "\n[[body]]\nmaterial = \"rock\"\nbox = {min = [0, -5], max = [45, 0]}\n";
+  const std::string text =
+      replaced(slope_text, "density = 2000.0", std::string("density = 2000.0\n") + of_clay);
+  std::string all;
+  for (const std::string& warning :
+       warnings(read_scene_text(replaced(text, "[[wall]]", rock + "\n[[wall]]"), "slope.toml")))
+    all += warning + "\n";
+  return all;
+}
+
+TEST(ContrastTest, TheMaterialThatMakesTheStepShortIsToldWithWhatHelps) {
+  const std::string far = contrast_warnings("400 GPa", "", "");
+  // Sound is sqrt(4000) = 63.2 times as fast.
+  EXPECT_NE(far.find("material 'rock' makes the time step 63.2 times shorter than 'clay' needs"),
+            std::string::npos)
+      << far;
+  EXPECT_NE(far.find("mass_scaling = 4e+03: a step 63.2 times longer"), std::string::npos) << far;
+  EXPECT_NE(far.find("a Young's modulus of 0.025 times its own"), std::string::npos) << far;
+  const std::string near = contrast_warnings("1 GPa", "mass_scaling = 1", "");
+  EXPECT_NE(near.find("mass_scaling = 10: a step 3.16 times longer"), std::string::npos) << near;
+  EXPECT_EQ(near.find("Young's modulus"), std::string::npos) << near;
+  const std::string half = contrast_warnings("400 GPa", "mass_scaling = 40", "");
+  EXPECT_NE(half.find("mass_scaling = 4e+03: a step 10 times longer"), std::string::npos) << half;
+  EXPECT_NE(half.find("falls and swings 63.2 times"), std::string::npos) << half;
+  for (const auto& [modulus, scaling] :
+       {std::pair{"400 GPa", "mass_scaling = 4000"}, {"800 MPa", ""}})
+    EXPECT_EQ(contrast_warnings(modulus, scaling, "").find("time step"), std::string::npos);
+}
+
+TEST(ContrastTest, SoilThatYieldsSlidesTooSlowlyWhereItIsScaled) {
+  const std::string told = contrast_warnings("1 GPa", "mass_scaling = 10", "mass_scaling = 4");
+  EXPECT_NE(
+      told.find("material 'clay': it yields, and mass_scaling = 4 lets it slide and fall 2 times"),
+      std::string::npos)
+      << told;
+  EXPECT_EQ(told.find("material 'rock': it yields"), std::string::npos) << told;
+}
+
 TEST(UnitWeightTest, TheSoilWeighsWhatIsWrittenUnderTheScenesGravity) {
   const Scene metric = with("density = 2000.0", "unit_weight = \"18.2 kN/m3\"");
   EXPECT_DOUBLE_EQ(metric.materials[0].density * 9.81, 18200.0);

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "engine/check/warnings.hpp"
+#include "engine/checkpoint/scene_text.hpp"
 #include "engine/errors.hpp"
 #include "tests/engine/scene/scene_texts.hpp"
 
@@ -123,6 +124,18 @@ TEST(SceneReaderTest, K0IsTheMaterialsElseTheScenesElsePoissons) {
   const Scene none = read(slope_text);
   EXPECT_FALSE(none.materials[0].k0);
   EXPECT_DOUBLE_EQ(k0_of(none, none.materials[0]), 0.3 / 0.7);
+}
+
+TEST(SceneReaderTest, InertiaIsThatOfTheMassUnlessScaled) {
+  EXPECT_EQ(read(slope_text).materials[0].mass_scaling, 1.0);
+  EXPECT_FALSE(scales_mass(read(slope_text)));
+  const Scene one = read(replaced(slope_text, "2000.0", "2000.0\nmass_scaling = 1"));
+  EXPECT_FALSE(scales_mass(one));
+  EXPECT_EQ(scene_text(one), scene_text(read(slope_text)));
+  const Scene scaled = read(replaced(slope_text, "2000.0", "2000.0\nmass_scaling = 25"));
+  EXPECT_TRUE(scales_mass(scaled));
+  EXPECT_NE(scene_text(scaled), scene_text(one));
+  EXPECT_DOUBLE_EQ(5.0 * scaled.materials[0].sound_speed(), one.materials[0].sound_speed());
 }
 
 TEST(SceneReaderTest, EveryRowOfThePresetsCanBeOverridden) {

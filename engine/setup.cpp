@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +18,7 @@
 #include "engine/parallel.hpp"
 #include "engine/particles/generate.hpp"
 #include "engine/particles/probe_particles.hpp"
+#include "engine/particles/shared_inertia.hpp"
 #include "engine/particles/soil_above.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/stop.hpp"
@@ -78,13 +81,13 @@ std::array<double, 6> geostatic_stress(double pressure, double k0, const Vec3& u
   return stress;
 }
 
-/// The particles of a material, on the scene's lattice.
-ParticleKind kind_of(const Scene& scene, std::size_t material) {
+/// The particles of a material with this inertia over mass, on the scene's lattice.
+ParticleKind kind_of(const Scene& scene, std::size_t material, double mass_scaling) {
   const double volume = std::pow(scene.spacing, scene.dimension);
   const Material& of = scene.materials[material];
   return {
-      material, of.density,          scene.spacing,  scene.numerics.smoothing_ratio * scene.spacing,
-      volume,   of.density * volume, of.mass_scaling};
+      material, of.density,          scene.spacing, scene.numerics.smoothing_ratio * scene.spacing,
+      volume,   of.density * volume, mass_scaling};
 }
 
 void fill_particles(State& state, const Particles& soil) {
@@ -92,10 +95,11 @@ void fill_particles(State& state, const Particles& soil) {
   const int dimension = scene.dimension;
   std::vector<ParticleGroup> groups;
   std::int64_t first = 0;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const auto count = std::count(soil.material.begin(), soil.material.end(), m);
-    if (count == 0) continue;
-    groups.push_back({kind_of(scene, m), first, count, padded(count)});
+  const std::vector<double> inertia = shared_inertia(scene, soil);
+  std::map<std::pair<std::size_t, double>, std::int64_t> counts;
+  for (std::size_t k = 0; k < inertia.size(); ++k) ++counts[{soil.material[k], inertia[k]}];
+  for (const auto& [kind, count] : counts) {
+    groups.push_back({kind_of(scene, kind.first, kind.second), first, count, padded(count)});
     first += padded(count);
   }
   state.particles =
@@ -110,7 +114,7 @@ void fill_particles(State& state, const Particles& soil) {
     const double k0 = state.material_constants[group.material].k0;
     std::int64_t slot = group.first;
     for (std::size_t k = 0; k < soil.position.size(); ++k) {
-      if (soil.material[k] != group.material) continue;
+      if (soil.material[k] != group.material || inertia[k] != group.mass_scaling) continue;
       p.ids()[static_cast<std::size_t>(slot)] = soil.id[k];
       for (int a = 0; a < dimension; ++a) {
         const auto axis = static_cast<std::size_t>(a);
@@ -139,7 +143,7 @@ void look_at_all_soil(State& state) {
   std::vector<double> counts(state.scene.materials.size());
   double& fastest = state.limits.sound_speed;
   for (const ParticleGroup& group : state.particles.groups()) {
-    counts[group.material] = static_cast<double>(group.count);
+    counts[group.material] += static_cast<double>(group.count);
     fastest = std::max(fastest, state.scene.materials[group.material].sound_speed());
   }
   fastest = state.reduction->maximum_of(fastest);
@@ -204,7 +208,7 @@ kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Mat
   c.diffusion_cap =
       material.model.yields() ? n.stress_diffusion / std::sqrt(material.mass_scaling) : 0.0;
   c.diffusion_shear_gate = n.diffusion_shear_gate;
-  for (std::size_t a = 0; a < 3; ++a) c.gravity[a] = scene.gravity[a] / material.mass_scaling;
+  std::copy(scene.gravity.begin(), scene.gravity.end(), c.gravity);
   c.k0 = k0_of(scene, material);
   c.gradient_correction = n.gradient_correction;
   c.hughes_winget = n.stress_rotation == StressRotation::hughes_winget;

@@ -2,6 +2,8 @@
 /// Runs a per-particle pass group by group, each with its material's constants and model.
 #pragma once
 
+#include <algorithm>
+
 #include "engine/particles/each_slot.hpp"
 #include "engine/state.hpp"
 #include "kernels/constitutive/model_info.hpp"
@@ -18,6 +20,8 @@ void run_stress_phase(State& state, double dt, double leap, Pass&& pass) {
     constants.leap = leap;
     constants.plastic_share = dt / leap;
     constants.smoothing_length = group.smoothing_length;
+    const Vec3 fall = group.fall(state.scene.gravity);
+    std::copy(fall.begin(), fall.end(), constants.gravity);
     const kernels::ModelInfo& model = state.scene.materials[group.material].model.info();
     const kernels::ModelPasses& passes = state.kernels.table->passes_of(model);
     const kernels::ParticleView view = particle_view(state, model);

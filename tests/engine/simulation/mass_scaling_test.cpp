@@ -58,7 +58,7 @@ std::vector<std::pair<std::string, Scene>> scenes() {
       Scene& settles = with("settles", small_slope(name, 10.0, 10.0, 2.0));
       settles.stages[0].until = StageEnd::rest;
       settles.stages[0].rest_velocity = 1.0;
-      settles.stages[0].damping.reset();
+      settles.stages[0].damping = 10.0;  // that of its own is rounded otherwise
       settles.numerics.hourglass_viscosity = 0.1;
       settles.numerics.viscosity_beta = 1.0;
     }
@@ -92,7 +92,7 @@ TEST(MassScalingTest, FourTimesTheInertiaIsTheSameRunAtHalfTheSpeedToTheLastBit)
           &EnergyBalance::plastic, &EnergyBalance::viscous, &EnergyBalance::damping,
           &EnergyBalance::wall, &EnergyBalance::diffusion, &EnergyBalance::imbalance})
       EXPECT_EQ(a.*part, b.*part);
-    EXPECT_EQ(a.kinetic_added, 0.75 * a.kinetic);
+    EXPECT_NEAR(a.kinetic_added / a.kinetic, 0.75, 1e-12);  // 3 m v^2, summed
     const std::vector<WallReaction> of_slow = slow.wall_reactions(),
                                     of_plain = plain.wall_reactions();
     for (std::size_t w = 0; w < of_plain.size(); ++w)
@@ -101,18 +101,19 @@ TEST(MassScalingTest, FourTimesTheInertiaIsTheSameRunAtHalfTheSpeedToTheLastBit)
   }
 }
 
-/// Two blocks without weight, the heavy one thrown into the other at an angle.
+/// Two blocks without weight, the heavy one thrown at the other from beyond its reach.
 Scene blocks(double density, double scaling) {
   Scene scene = elastic_column("modern", 1.0, 0.1);
   scene.walls.clear();
   scene.gravity = {};
-  scene.materials.push_back(elastic(1e8));
+  scene.materials.push_back(elastic(10e6));
   scene.materials[1].name = "heavy";
   scene.materials[1].density = density;
   scene.materials[1].mass_scaling = scaling;
-  scene.bodies = {
-      {.shape = Box{{0, 0, 0}, {1, 1, 0}}, .material = "elastic"},
-      {.shape = Box{{1, 0.3, 0}, {2, 1.3, 0}}, .material = "heavy", .velocity = {-0.5, 0.2, 0.0}}};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 1, 0}}, .material = "elastic"},
+                  {.shape = Box{{1.3, 0.3, 0}, {2.3, 1.3, 0}},
+                   .material = "heavy",
+                   .velocity = {-2.0, 0.8, 0.0}}};
   scene.initial_stress = InitialStress::zero;
   scene.stages = {stage_for("meet", 10.0)};
   scene.numerics.hourglass_viscosity = 0.1;
@@ -129,7 +130,7 @@ TEST(MassScalingTest, WithoutWeightItIsADensityToTheLastBit) {
         scene->numerics.precision = precision;
         if (integrator == Integrator::verlet) scene->numerics.cfl = 0.2;
       }
-      const Simulation a = run_steps(dense, 200), b = run_steps(scaled, 200);
+      const Simulation a = run_steps(dense, 400), b = run_steps(scaled, 400);
       for (const char* field : {"position", "velocity", "stress"})
         EXPECT_EQ(a.field(field), b.field(field)) << field;
     }
@@ -137,11 +138,11 @@ TEST(MassScalingTest, WithoutWeightItIsADensityToTheLastBit) {
 }
 
 TEST(MassScalingTest, MomentumIsThatOfTheInertia) {
-  Simulation simulation = run_steps(blocks(2000.0, 50.0), 300);
+  Simulation simulation = run_steps(blocks(2000.0, 50.0), 400);
   const auto velocity = simulation.field("velocity"), position = simulation.field("position"),
              material = simulation.field("material");
   Vec3 sum{};
-  double all = 0.0, turn = 0.0, slowest = 1.0;
+  double all = 0.0, turn = 0.0, slowest = 2.0;
   for (std::size_t k = 0; k < material.size(); ++k) {
     const double inertia = material[k] == 1.0 ? 50.0 : 1.0;
     all += inertia;
@@ -150,15 +151,15 @@ TEST(MassScalingTest, MomentumIsThatOfTheInertia) {
         inertia * (position[3 * k] * velocity[3 * k + 1] - position[3 * k + 1] * velocity[3 * k]);
     if (material[k] == 1.0) slowest = std::min(slowest, std::abs(velocity[3 * k]));
   }
-  // 100 grains each; the heavy ones started at (-0.5, 0.2) about (1.5, 0.8).
+  // 100 grains each; the heavy ones started at (-2, 0.8) about (1.8, 0.8).
   const double heavy = 50.0 * 100.0;
-  EXPECT_LT(slowest, 0.45);  // they have met
-  // Round-off of 300 steps of sums over 20 neighbours.
-  EXPECT_NEAR(sum[0] / (-0.5 * heavy), 1.0, 1e-11);
-  EXPECT_NEAR(sum[1] / (0.2 * heavy), 1.0, 1e-11);
+  EXPECT_LT(slowest, 1.9);  // they have met
+  // Round-off of 400 steps of sums over 20 neighbours.
+  EXPECT_NEAR(sum[0] / (-2.0 * heavy), 1.0, 1e-11);
+  EXPECT_NEAR(sum[1] / (0.8 * heavy), 1.0, 1e-11);
   EXPECT_NEAR(all, heavy + 100.0, 1e-9);
   // Angular momentum is that of T M - M T^T = 0, M being that of mid-step, turned: second order.
-  EXPECT_NEAR(turn / (heavy * (1.5 * 0.2 + 0.8 * 0.5)), 1.0, 1e-4);
+  EXPECT_NEAR(turn / (heavy * (1.8 * 0.8 + 0.8 * 2.0)), 1.0, 1e-4);
 }
 
 TEST(MassScalingTest, AFreeBlockFallsMoreSlowly) {
@@ -188,8 +189,7 @@ Scene layers(double below, double above, double scaling_below, double scaling_ab
   scene.materials[1].mass_scaling = scaling_above;
   scene.bodies = {{.shape = Box{{0, 0, 0}, {1, 1, 0}}, .material = "below"},
                   {.shape = Box{{0, 1, 0}, {1, 2, 0}}, .material = "above"}};
-  scene.stages[0].damping.reset();
-  scene.stages[0].reset_after = false;
+  scene.stages[0].damping = 90.0;  // near critical for 1 m of the soft soil
   return scene;
 }
 
@@ -210,11 +210,9 @@ TEST(MassScalingTest, LayersComeToTheSameRest) {
   constexpr double soft = 10e6, stiff = 1e9, contrast = stiff / soft;
   for (const bool stiff_below : {true, false}) {
     const double below = stiff_below ? stiff : soft, above = stiff_below ? soft : stiff;
-    Scene plain = layers(below, above, 1.0, 1.0);
+    const Scene plain = layers(below, above, 1.0, 1.0);
     Scene scaled = layers(below, above, stiff_below ? contrast : 1.0, stiff_below ? 1.0 : contrast);
-    // Critical for the column of soft soil; with the scaled layer on top for a mass of 100 on it.
-    plain.stages[0].damping = 90.0;
-    scaled.stages[0].damping = stiff_below ? 90.0 : 18.0;
+    if (!stiff_below) scaled.stages[0].damping = 18.0;  // critical for 100 times the mass on it
     const Simulation a = settled(plain), b = settled(scaled);
     EXPECT_NEAR(static_cast<double>(a.last_step().step) / static_cast<double>(b.last_step().step) *
                     b.last_step().time / a.last_step().time,
@@ -257,6 +255,7 @@ TEST(MassScalingTest, ThePassageOfAColumnIsThatOfItsFirstMode) {
   // M/H and m = 100 rho H, so that passage = H sqrt(2 (100 + 1/2) rho/M), and the slab's own
   // 100/2 (stiffness 10^4 times) adds 1e-4 of it.
   Scene scene = layers(10e6, 1e11, 1.0, 100.0);
+  scene.stages[0].damping.reset();
   scene.stages[0].reset_after = true;
   scene.stages.push_back(stage_for("on", 1.0));
   const Simulation simulation = run_steps(scene, 1);
@@ -270,7 +269,7 @@ TEST(MassScalingTest, ThePassageOfAColumnIsThatOfItsFirstMode) {
 /// the impedance Z = sqrt(s rho M) four times as much, -0.6 of its momentum comes back and 1.6 go
 /// on.
 TEST(MassScalingTest, AWaveIsReflectedByTheImpedance) {
-  constexpr double dx = 0.05, middle = 2.5, width = 0.25;
+  constexpr double dx = 0.05, width = 0.25;
   Scene scene = elastic_column("modern", 0.2, dx);
   scene.gravity = {};
   scene.initial_stress = InitialStress::zero;

@@ -57,7 +57,7 @@ def result(folder):
     steps = json.loads((folder / "results.json").read_text())["steps"]
     with open(folder / "probes.csv", encoding="utf-8") as file:
         rows = list(csv.reader(file))
-    columns = [next(k for k, title in enumerate(rows[0]) if title.startswith(f"top.{name}")) for name in ("x", "y")]
+    columns = [next(k for k, title in enumerate(rows[0]) if title.startswith(f"top.position_{name}")) for name in ("x", "y")]
     start, end = ([float(row[k]) for k in columns] for row in (rows[1], rows[-1]))
     frame = scarp_frames.load_frame(scarp_frames.read_series(folder)[-1][0])
     order = np.argsort(frame["fields"]["id"])

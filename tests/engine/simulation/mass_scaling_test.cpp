@@ -217,27 +217,28 @@ TEST(MassScalingTest, LayersComeToTheSameRest) {
     EXPECT_NEAR(static_cast<double>(a.last_step().step) / static_cast<double>(b.last_step().step) *
                     b.last_step().time / a.last_step().time,
                 10.0, 0.1);
-    // What 1e-6 m/s leaves open: c_d times the inertia of the column, over its weight (2e-5 with
-    // the damping of the slow one, 100 times the mass), and over the modulus as settlement.
-    const double overburden = 2000.0 * 9.81 * 2.0;
-    const double open = std::max(90.0, 18.0 * contrast) * 1e-6 / 9.81;
-    EXPECT_LT(largest_difference(a.field("stress"), b.field("stress")), open * overburden);
+    // What 1e-6 m/s leaves open. Zigzags from row to row do not strain the stiff layer, so that
+    // only the soft soil moves its inertia to where it rests: omega^2 = M/(s rho H^2), a way of v
+    // c_d/omega^2, and twice of it as both layers have a share. In stress M times that over 1 m.
     const double modulus = soft * 0.7 / (1.3 * 0.4);
-    EXPECT_LT(largest_difference(a.field("displacement"), b.field("displacement")),
-              open * overburden / modulus * 2.0);
+    const double way = 2.0 * 1e-6 * 90.0 * contrast * 2000.0 / modulus;
+    EXPECT_LT(way, 4e-3 * 2000.0 * 9.81 / (2.0 * modulus));  // of the settlement of the soft soil
+    EXPECT_LT(largest_difference(a.field("stress"), b.field("stress")), modulus * way);
+    EXPECT_LT(largest_difference(a.field("displacement"), b.field("displacement")), way);
     const std::vector<WallReaction> of_a = a.wall_reactions(), of_b = b.wall_reactions();
-    EXPECT_NEAR(of_a[0].force[1], of_b[0].force[1], open * overburden);
+    EXPECT_NEAR(of_a[0].force[1], of_b[0].force[1], modulus * way);
   }
 }
 
-TEST(MassScalingTest, AContrastOfTenThousandCostsNoMoreStepsThanTheSoftSoil) {
-  const auto steps_of = [](const Scene& scene) {
-    return static_cast<double>(settled(scene).last_step().step);
+TEST(MassScalingTest, AContrastOfTenThousandNeedsNoShorterStep) {
+  const auto to_rest = [](Scene scene) {
+    scene.stages[0].rest_velocity = 1e-5;
+    return settled(std::move(scene));
   };
-  Scene scene = layers(1e11, 10e6, 1e4, 1.0);
-  Simulation simulation = settled(scene);
-  const double steps = static_cast<double>(simulation.last_step().step);
-  EXPECT_LT(steps / steps_of(layers(10e6, 10e6, 1.0, 1.0)), 2.0);
+  const Simulation simulation = to_rest(layers(1e11, 10e6, 1e4, 1.0)),
+                   soft = to_rest(layers(10e6, 10e6, 1.0, 1.0));
+  // The same speed of sound in both, but for the change of density under the weight, 1e-3.
+  EXPECT_NEAR(simulation.last_step().time_step / soft.last_step().time_step, 1.0, 2e-3);
   // gamma H^2/(2 M) of the soft layer, to half a spacing below its top; the rest of 1e-4 of it is
   // the stiff one's. 1 %: the band of the oedometer case, and the interface, which is as wide as
   // the support: 2 h/dx of half a spacing's settlement.

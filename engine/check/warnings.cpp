@@ -62,7 +62,9 @@ void check_contrast(const Scene& scene, std::vector<std::string>& found) {
   if (times < several) return;
   std::string text = fmt::format(
       "material '{}' makes the time step {:.3g} times shorter than '{}' needs. Where it hardly "
-      "moves (bedrock, plates), try mass_scaling = {:.3g}: a step {:.3g} times longer, with the "
+      "moves "
+      "and does not lie on soft soil (bedrock), try mass_scaling = {:.3g}: a step {:.3g} times "
+      "longer, with the "
       "same weight and the same stress at rest; what moves of it falls and swings {:.3g} times "
       "more slowly.",
       fast->name, times, next->name, fast->mass_scaling * times * times, times,

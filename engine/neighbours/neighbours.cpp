@@ -9,6 +9,7 @@
 #include "engine/cells/compact_clusters.hpp"
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
+#include "engine/watch/too_light.hpp"
 #include "engine/watch/watch.hpp"
 
 namespace scarp {
@@ -186,7 +187,10 @@ void decide_rebuild(State& state) { state.neighbours.due = lists_are_outdated(st
 void rebuild_lists(State& state) {
   Neighbours& neighbours = state.neighbours;
   if (!neighbours.due) return;
-  if (neighbours.valid) watch_walls(state);
+  if (neighbours.valid) {
+    watch_walls(state);
+    watch_inertia(state);
+  }
   const StressForm form = state.sweep.records.stress_form();
   deal_soil(state);
   if (neighbours.rebuilds % rebuilds_per_sort == 0) {

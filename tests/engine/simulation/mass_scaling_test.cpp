@@ -301,6 +301,19 @@ TEST(MassScalingTest, AWaveIsReflectedByTheImpedance) {
   EXPECT_NEAR(on / coming, 1.6, 0.015);
 }
 
+TEST(MassScalingTest, SoilThatComesToTouchAScaledPartStopsTheRunWithTheReason) {
+  Scene scene = layers(1e11, 10e6, 1e4, 1.0);
+  scene.bodies[1].shape = Box{{0, 1.3, 0}, {1, 2, 0}};  // beyond the reach of 0.24 m
+  scene.bodies[1].velocity = {0.0, -5.0, 0.0};
+  scene.stages[0].damping = 0.0;
+  try {
+    run_steps(scene, 1000);
+    ADD_FAILURE() << "it bore the step";
+  } catch (const SimulationInstability& instability) {
+    EXPECT_EQ(instability.what_happened()->field, "inertia over mass") << instability.what();
+  }
+}
+
 TEST(MassScalingTest, TheBalanceOfEnergyCloses) {
   Scene scene = small_slope("modern", 0.5, 1.5, 2.0);
   scene.materials.push_back(elastic(1e9));

@@ -46,12 +46,16 @@ void aluminium_bars(CaseRun& run);
 void slopes_fos(CaseRun& run);
 void circular_footing(CaseRun& run);
 void retrogression(CaseRun& run);
+void beam(CaseRun& run);
+void askew(CaseRun& run);
 extern const ErrorProblem slope_2d_problem;
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem disc_rotation_problem;
 extern const ErrorProblem footing_problem;
 extern const ErrorProblem aluminium_bars_problem;
+extern const ErrorProblem beam_problem;
+extern const ErrorProblem askew_problem;
 
 /// The runs of a case that are still to come, for the forecast of a set.
 using RunsFunction = std::vector<PlannedRun> (*)(const CaseRun&);
@@ -107,6 +111,9 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
      circular_footing},
     {"retrogression", "verification", "Slide after slide in a slope of softening clay.",
      retrogression},
+    {"beam", "verification", "Elastic beams with free faces swing and sag.", beam, &beam_problem},
+    {"askew", "verification", "Walls and slopes turned against the lattice.", askew,
+     &askew_problem},
 });
 
 /// Cases and sets by name ("paper", "verification", "all"), each case once, in the order asked for.

@@ -15,6 +15,9 @@ double radians(double degrees);
 /// pi c_p/(2 H), critical for the first mode of a column of this height [1/s].
 double damping_of(const Scene& scene, double height);
 
+/// Judges a measure in the main and full form only, where there is time to look at what is missed.
+void judge_in_long_forms(CaseRun& run, Measure measure);
+
 /// Elastic layer on a rough base under gravity that is not normal to it.
 void judge_layer(CaseRun& run, const std::string& preset, double spacing, double degrees,
                  std::optional<Simulation>& last);

@@ -7,10 +7,11 @@
 
 namespace scarp::validation {
 
-Beam::Beam(double length, double depth, double density, double youngs_modulus, double poisson_ratio)
-    : length(length),
-      depth(depth),
-      density(density),
+Beam::Beam(double length_m, double depth_m, double reference_density, double youngs_modulus,
+           double poisson_ratio)
+    : length(length_m),
+      depth(depth_m),
+      density(reference_density),
       modulus(youngs_modulus / (1.0 - poisson_ratio * poisson_ratio)),
       shear_modulus(0.5 * youngs_modulus / (1.0 + poisson_ratio)),
       shear_factor(5.0 / (6.0 - poisson_ratio)) {}

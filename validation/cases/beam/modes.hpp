@@ -18,7 +18,8 @@ struct Beam {
 
   /// Of the scene's first body, a box along x, and first material.
   explicit Beam(const Scene& scene);
-  Beam(double length, double depth, double density, double youngs_modulus, double poisson_ratio);
+  Beam(double length_m, double depth_m, double reference_density, double youngs_modulus,
+       double poisson_ratio);
 
   double inertia() const { return depth * depth * depth / 12.0; }  ///< I [m3]
   /// Of Euler and Bernoulli: (k L)^2 sqrt(E' I/(rho D L^4)) [1/s]

@@ -205,7 +205,7 @@ void judge_clamped(CaseRun& run, double spacing, std::optional<Simulation>& last
   const std::string who = fmt::format("modern, clamped, dx = {} m: ", spacing);
   Scene scene = clamped(scene_of(run, as_it_stands, spacing, false));
   const Beam beam(scene);
-  const Start start{Support::clamped_free, 0.01, run.short_form() ? 2.0 : 5.0};
+  const Start start{Support::clamped_free, small_deflection, run.short_form() ? 2.0 : 5.0};
   const Swing one = swing(run, fmt::format("clamped, dx {} m", spacing), scene, start, last);
   const double band = 0.03 + spacing / beam.length;
   run.add(within(who + "frequency over Timoshenko's", one.frequency, "", 1.0, 1.0 - band,
@@ -214,12 +214,12 @@ void judge_clamped(CaseRun& run, double spacing, std::optional<Simulation>& last
                  "2 %"));
 
   const BendingMode mode(beam, Support::clamped_free);
-  const double gravity = 0.01 / beam.sag(1.0, beam.length);
+  const double gravity = small_deflection / beam.sag(1.0, beam.length);
   scene.gravity = {0.0, -gravity, 0.0};
   Stage& stage = scene.stages.front();
   stage.until = StageEnd::rest;
   stage.damping = 2.0 * mode.frequency();  // critical
-  stage.rest_velocity = 1e-5 * 0.01 * mode.frequency();
+  stage.rest_velocity = 1e-5 * small_deflection * mode.frequency();
   stage.duration = 20.0 / mode.frequency();  // (1 + 20) exp(-20) of the way is left
   scene.bodies.front().velocity_field.clear();
   last = run.solve(fmt::format("sagging, dx {} m", spacing), scene);
@@ -241,7 +241,7 @@ void judge_clamped(CaseRun& run, double spacing, std::optional<Simulation>& last
 
 double outcome_of(CaseRun& run, const Scene& scene) {
   std::optional<Simulation> last;
-  const Swing one = swing(run, "beam", scene, {Support::free_free, 0.01, 2.0}, last);
+  const Swing one = swing(run, "beam", scene, {Support::free_free, small_deflection, 2.0}, last);
   if (!one.whole) throw SimulationInstability("the watch stopped the beam");
   return std::fabs(one.frequency - 1.0);
 }

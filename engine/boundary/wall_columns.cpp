@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "engine/parallel.hpp"
 #include "kernels/pair/force_correction.hpp"
 
 namespace scarp {
@@ -16,6 +17,8 @@ namespace {
 /// Heights between which the slope of the stress is trusted, in spacings: of two rows of soil 0.9,
 /// of three 1.4, of more 1.5.
 constexpr double no_trust = 1.0, full_trust = 1.3;
+
+constexpr std::int64_t columns_per_chunk = 256;
 
 }  // namespace
 
@@ -56,7 +59,8 @@ WallColumns::WallColumns(const WallDummies& dummies, std::span<const std::size_t
     const WallColumn& column = dummies.columns[c];
     if (place[column.first] == no_column) continue;
     number[c] = columns_.size();
-    columns_.push_back({place[column.first], place[column.inner], 0, 0});
+    columns_.push_back(
+        {.first = place[column.first], .inner = place[column.inner], .begin = 0, .end = 0});
   }
   if (columns_.empty()) return;
   column_of_.assign(standing, no_column);
@@ -78,16 +82,59 @@ WallColumns::WallColumns(const WallDummies& dummies, std::span<const std::size_t
   }
 }
 
-double WallColumns::rise(const DummySums& sums, const Column& column) const {
+void WallColumns::set_lever(const DummySums& sums, Column& column) const {
+  column.per_lever = 0.0;
+  if (sums.weight[column.first] == 0.0 || sums.weight[column.inner] == 0.0) return;
   const auto height = [&](std::size_t k) { return sums.height[k] - distance_[k]; };
-  return height(column.inner) - height(column.first);
+  column.lever = height(column.inner) - height(column.first);
+  const double x =
+      std::clamp((column.lever / spacing_ - no_trust) / (full_trust - no_trust), 0.0, 1.0);
+  if (x > 0.0) column.per_lever = x * x * (3.0 - 2.0 * x) / column.lever;
 }
 
-double WallColumns::inverse_lever(const DummySums& sums, const Column& column) const {
-  if (sums.weight[column.first] == 0.0 || sums.weight[column.inner] == 0.0) return 0.0;
-  const double lever = rise(sums, column);
-  const double x = std::clamp((lever / spacing_ - no_trust) / (full_trust - no_trust), 0.0, 1.0);
-  return x > 0.0 ? x * x * (3.0 - 2.0 * x) / lever : 0.0;
+template <class Gather>
+void WallColumns::each_column(int threads, const DummySums& sums, const double* faces,
+                              const Gather& gather) {
+  parallel_chunks(threads, count(), columns_per_chunk, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t c = begin; c < end; ++c) {
+      Column& column = columns_[static_cast<std::size_t>(c)];
+      set_lever(sums, column);
+      if (column.per_lever != 0.0)
+        gather(column, faces + column.first * wall_record_size + wall_normal_x);
+    }
+  });
+}
+
+void WallColumns::gather_stress(int threads, const DummySums& sums, const double* faces,
+                                int dimension) {
+  const auto size = static_cast<std::size_t>(dimension);
+  each_column(threads, sums, faces, [&](Column& column, const double* normal) {
+    for (std::size_t a = 0; a < size; ++a) {
+      column.vector[a] = 0.0;
+      for (std::size_t b = 0; b < size; ++b) {
+        const auto& sum =
+            sums.sums[corrected_place_of(dimension, static_cast<int>(a), static_cast<int>(b))];
+        column.vector[a] += (sum[column.inner] - sum[column.first]) * normal[b];
+      }
+    }
+  });
+}
+
+void WallColumns::gather_gradients(int threads, const DummySums& sums,
+                                   std::span<const double> standing, const double* faces,
+                                   int dimension) {
+  const auto size = static_cast<std::size_t>(dimension);
+  each_column(threads, sums, faces, [&](Column& column, const double* normal) {
+    for (std::size_t a = 0; a < size; ++a) {
+      column.vector[a] = 0.0;
+      for (std::size_t m = column.begin; m < column.end; ++m) {
+        const std::size_t k = members_[m];
+        double along = 0.0;
+        for (std::size_t b = 0; b < size; ++b) along += sums.sums[3 * a + b][k] * normal[b];
+        column.vector[a] += standing[k] * sums.weight[k] * sums.height[k] * along;
+      }
+    }
+  });
 }
 
 void WallColumns::continue_stress(const DummySums& sums, std::size_t dummy, const double* normal,
@@ -97,41 +144,25 @@ void WallColumns::continue_stress(const DummySums& sums, std::size_t dummy, cons
   for (std::size_t a = 0; a < size; ++a) stress.m[a][a] += weight;
   if (!any() || column_of_[dummy] == no_column) return;
   const Column& column = columns_[column_of_[dummy]];
-  const double per_lever = inverse_lever(sums, column);
-  if (per_lever == 0.0) return;
-  const double lever = rise(sums, column), height = sums.height[dummy];
+  if (column.per_lever == 0.0) return;
   for (std::size_t a = 0; a < size; ++a) {
-    double difference = 0.0;
-    for (std::size_t b = 0; b < size; ++b) {
-      const auto& sum =
-          sums.sums[corrected_place_of(dimension, static_cast<int>(a), static_cast<int>(b))];
-      difference += (sum[column.inner] - sum[column.first]) * normal[b];
-    }
-    const double change = -per_lever * (height * difference + lever * weight * normal[a]);
+    const double change = -column.per_lever * (sums.height[dummy] * column.vector[a] +
+                                               column.lever * weight * normal[a]);
     for (std::size_t b = 0; b < size; ++b) stress.m[a][b] += change * normal[b];
   }
 }
 
-void WallColumns::add_gradient(const DummySums& sums, std::span<const double> standing,
-                               std::size_t dummy, const double* normal, int dimension,
-                               double volume, Tensor<double>& gradient) const {
+void WallColumns::add_gradient(const DummySums& sums, std::size_t dummy, const double* normal,
+                               int dimension, double volume, Tensor<double>& gradient) const {
   if (!any() || column_of_[dummy] == no_column) return;
   const Column& column = columns_[column_of_[dummy]];
   if (dummy != column.first && dummy != column.inner) return;
-  const double per_lever = inverse_lever(sums, column);
-  if (per_lever == 0.0) return;
+  if (column.per_lever == 0.0) return;
   const double scale =
-      volume * (dummy == column.first ? per_lever : -per_lever) / sums.weight[dummy];
+      volume * (dummy == column.first ? column.per_lever : -column.per_lever) / sums.weight[dummy];
   const auto size = static_cast<std::size_t>(dimension);
   for (std::size_t a = 0; a < size; ++a) {
-    double moment = 0.0;
-    for (std::size_t m = column.begin; m < column.end; ++m) {
-      const std::size_t k = members_[m];
-      double along = 0.0;
-      for (std::size_t b = 0; b < size; ++b) along += sums.sums[3 * a + b][k] * normal[b];
-      moment += standing[k] * sums.weight[k] * sums.height[k] * along;
-    }
-    for (std::size_t b = 0; b < size; ++b) gradient.m[a][b] += scale * moment * normal[b];
+    for (std::size_t b = 0; b < size; ++b) gradient.m[a][b] += scale * column.vector[a] * normal[b];
   }
 }
 

@@ -45,14 +45,19 @@ class WallColumns {
   bool any() const { return !columns_.empty(); }
   std::int64_t count() const { return static_cast<std::int64_t>(columns_.size()); }
   bool is_inner(std::size_t dummy) const { return any() && distance_[dummy] < 0.0; }
+  /// What the dummies of each column have in common, once they have been summed: of stress, before
+  /// `continue_stress`, or of velocity gradients, before `add_gradient`. `faces` has a
+  /// kernels::WallSlot record for each dummy.
+  void gather_stress(int threads, const DummySums& sums, const double* faces, int dimension);
+  void gather_gradients(int threads, const DummySums& sums, std::span<const double> standing,
+                        const double* faces, int dimension);
   /// Completes the averaged stress of a dummy.
   void continue_stress(const DummySums& sums, std::size_t dummy, const double* normal,
                        int dimension, kernels::Tensor<double>& stress) const;
   /// Adds to H_w of a first dummy or inner point what its column takes of the soil near it, the
   /// transpose of `continue_stress`. All dummies that stand have one volume.
-  void add_gradient(const DummySums& sums, std::span<const double> standing, std::size_t dummy,
-                    const double* normal, int dimension, double volume,
-                    kernels::Tensor<double>& gradient) const;
+  void add_gradient(const DummySums& sums, std::size_t dummy, const double* normal, int dimension,
+                    double volume, kernels::Tensor<double>& gradient) const;
   /// Clusters that hold part of a column of which another part is in a wanted cluster.
   void add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const;
   std::size_t bytes() const;
@@ -61,10 +66,15 @@ class WallColumns {
   struct Column {
     std::size_t first, inner;
     std::size_t begin, end;  ///< in `members_`, without the inner point
+    double lever = 0.0;      ///< z_2 - z_1 [h]
+    double per_lever = 0.0;  ///< s/(z_2 - z_1); 0 without enough soil [1/h]
+    /// (A_2 - A_1) n; of gradients the sum over the members of W (d + z) L n.
+    Vec3 vector{};
   };
-  double rise(const DummySums& sums, const Column& column) const;  ///< z_2 - z_1 [h]
-  /// s/(z_2 - z_1); 0 without enough soil [1/h].
-  double inverse_lever(const DummySums& sums, const Column& column) const;
+  /// Calls gather(column, normal) for each column with enough soil, whose lever is known by then.
+  template <class Gather>
+  void each_column(int threads, const DummySums& sums, const double* faces, const Gather& gather);
+  void set_lever(const DummySums& sums, Column& column) const;
 
   std::vector<Column> columns_;
   std::vector<std::size_t> members_;

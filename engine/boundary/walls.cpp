@@ -61,12 +61,14 @@ void Walls::remember_built() {
 }
 
 void Walls::mark_built() {
+  stand_as_built_ = true;
   if (have_moved()) remember_built();
   std::fill(sums_.weight.begin(), sums_.weight.end(), 0.0);
 }
 
 void Walls::move_to(std::span<const double> positions) {
   if (!have_moved()) remember_built();
+  stand_as_built_ = false;
   for (std::size_t a = 0; a < 3; ++a)
     std::copy_n(positions.begin() + static_cast<std::ptrdiff_t>(a) * count(), count(),
                 position_[a].begin());
@@ -74,6 +76,7 @@ void Walls::move_to(std::span<const double> positions) {
 
 void Walls::move(std::size_t wall, const Vec3& step) {
   if (!have_moved()) remember_built();
+  stand_as_built_ = false;
   for (std::size_t k = 0; k < wall_.size(); ++k) {
     if (wall_[k] != wall) continue;
     for (std::size_t a = 0; a < 3; ++a) position_[a][k] += step[a];
@@ -137,7 +140,7 @@ void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int di
   for (auto& row : t.m) {
     for (double& value : row) value *= r[record_volume];
   }
-  columns_.add_gradient(sums_, standing_, k, normal, dimension, material.volume, t);
+  columns_.add_gradient(sums_, k, normal, dimension, material.volume, t);
   for (int a = 0; a < dimension; ++a) {
     for (int b = 0; b < dimension; ++b) {
       const int place =
@@ -174,6 +177,10 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
     sweep(view, cluster, cluster + 1);
   });
   // A column takes sums of other clusters.
+  if (what == WallSums::corrected_stress)
+    columns_.gather_stress(threads, sums_, faces_.data(), dimension);
+  if (what == WallSums::gradient)
+    columns_.gather_gradients(threads, sums_, standing_, faces_.data(), dimension);
   each_cluster([&](std::int64_t, std::int64_t first, std::int64_t last) {
     for (std::int64_t k = first; k < last; ++k) put_sums(records, k, what, dimension, material);
   });

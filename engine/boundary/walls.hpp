@@ -53,6 +53,8 @@ class Walls {
   /// The lists have been built of the present positions; dummies they leave out have no soil.
   void mark_built();
   bool have_moved() const { return !built_position_[0].empty(); }
+  /// Whether lists have been built of the present positions.
+  bool stand_as_built() const { return stand_as_built_; }
   const double* position(std::size_t axis) const { return position_[axis].data(); }
   /// When the lists were built.
   const double* built_position(std::size_t axis) const {
@@ -83,6 +85,7 @@ class Walls {
                 const WallMaterial& material) const;
 
   std::int64_t slots_ = 0;
+  bool stand_as_built_ = false;
   AlignedVector<double> position_[3];
   AlignedVector<double> built_position_[3];  ///< empty until something moves
   AlignedVector<double> velocity_[3];

@@ -140,7 +140,11 @@ void build_lists(State& state) {
     of_walls.slots = walls.slots();
     of_walls.cluster_size = state.kernels.table->cluster_size;
     state.neighbours.wall_lists.build(state.threads, *state.kernels.table, of_walls);
-    build_cells(Role::dummy, walls.points(), {&dummies, 1});
+    if (walls.stand_as_built()) {
+      add(Role::dummy, walls.points());
+    } else {
+      build_cells(Role::dummy, walls.points(), {&dummies, 1});
+    }
   }
   input.sources = sources;
   state.neighbours.lists.build(state.threads, *state.kernels.table, input);

@@ -42,7 +42,7 @@ void check_strength(const Scene& scene, const Material& material, std::vector<st
 /// will do, without a change at rest. Where it only carries, a hundred times the stiffness of the
 /// softest will: under the same stress it strains a hundredth as much.
 void check_contrast(const Scene& scene, std::vector<std::string>& found) {
-  constexpr double several = 3.0, much = 1000.0, enough = 100.0;
+  constexpr double several = 10.0, much = 1000.0, enough = 100.0;
   const Material *soft = nullptr, *fast = nullptr, *next = nullptr;
   const auto stiffness = [](const Material& m) { return m.model.moduli().wave_modulus(); };
   const auto faster = [](const Material& a, const Material* b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Mean inertia of the neighbourhoods.
+/// Inertia that the stiffness of the neighbourhoods asks for.
 #include "engine/particles/shared_inertia.hpp"
 
 #include <algorithm>
@@ -34,6 +34,12 @@ std::vector<double> shared_inertia(const Scene& scene, const Particles& soil) {
   for (std::size_t k = 0; k < count; ++k)
     inertia[k] = scene.materials[soil.material[k]].mass_scaling;
   if (!scales_mass(scene)) return inertia;
+  double fastest = 0.0;
+  std::vector<double> modulus;
+  for (const Material& material : scene.materials) {
+    fastest = std::max(fastest, material.sound_speed());
+    modulus.push_back(material.model.moduli().wave_modulus());
+  }
   const kernels::SmoothingForm& form = smoothing_of(scene.numerics);
   const double h = scene.numerics.smoothing_ratio * scene.spacing, reach = 2.0 * h;
   const auto cell_of = [&](const Vec3& x) {
@@ -61,7 +67,7 @@ std::vector<double> shared_inertia(const Scene& scene, const Particles& soil) {
             const double weight =
                 std::abs(form.slope(std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) / h));
             weights += weight;
-            sum += weight * inertia[j] * scene.materials[soil.material[j]].density / density;
+            sum += weight * modulus[soil.material[j]] / (density * fastest * fastest);
           }
         }
       }

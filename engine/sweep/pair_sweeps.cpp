@@ -45,25 +45,30 @@ Instability flown_out_of_reach(const State& state, const double* records, std::i
   return found;
 }
 
+/// `soil` is what may be read of it: soil that sleeps and is no neighbour of these clusters may be
+/// left as it is. So may dummies that no soil reaches.
 void run(const State& state, const SweepKernel& sweep, std::span<const std::int32_t> clusters,
-         kernels::PairSweepView<double> view, NarrowRecords& narrow_records) {
+         const SlotRanges& soil, kernels::PairSweepView<double> view,
+         NarrowRecords& narrow_records) {
   view.clusters = clusters.data();
   if (sweep.mixed == nullptr) {
     run(state, sweep.in_double, std::ssize(clusters), view);
     return;
   }
-  // Soil that sleeps and is no neighbour of these clusters may be left as it is, and so may dummies
-  // that no soil reaches.
-  const bool all = clusters.data() == state.neighbours.lists.active_clusters().data();
   const RecordLayout& layout = state.sweep.records.layout();
-  const RecordsRead read{layout[Role::owned].slots, all ? SlotRanges() : state.sleep.packed,
-                         layout[Role::dummy].slots, state.neighbours.wall_lists.active_clusters(),
+  const RecordsRead read{layout[Role::owned].slots, soil, layout[Role::dummy].slots,
+                         state.neighbours.wall_lists.active_clusters(),
                          state.kernels.table->cluster_size};
   const kernels::PairSweepView<float> narrow =
       narrow_records.narrow(state.threads, view, layout.far_record(), read);
   if (const auto record = narrow_records.out_of_reach())
     throw SimulationInstability(flown_out_of_reach(state, view.records, *record));
   run(state, sweep.mixed, std::ssize(clusters), narrow);
+}
+
+/// By the sweeps of a step.
+SlotRanges soil_read(const State& state) {
+  return state.sleep.any() ? state.sleep.packed : SlotRanges();
 }
 
 /// The sweep of forces divides by inertia, and viscosity is that of the inertia of both of a pair;
@@ -90,7 +95,7 @@ void run_force_sweep(State& state, const ChosenSweep& sweep) {
     state.boundary.images.pack_second(state.threads, records, state.kernels.terms,
                                       state.scene.dimension);
   records.fill(view, marked);
-  run(state, marked ? sweep.whole : sweep.unmarked, swept_clusters(state), view,
+  run(state, marked ? sweep.whole : sweep.unmarked, swept_clusters(state), soil_read(state), view,
       state.sweep.narrow_records);
 }
 
@@ -148,7 +153,7 @@ kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& mode
 void sweep_gradient(State& state) {
   const bool verlet = state.scene.numerics.integrator == Integrator::verlet;
   run(state, state.kernels.gradient.whole, verlet ? swept_clusters(state) : awake_clusters(state),
-      sweep_view(state), state.sweep.narrow_records);
+      soil_read(state), sweep_view(state), state.sweep.narrow_records);
 }
 void sweep_force(State& state) { run_force_sweep(state, state.kernels.force); }
 void sweep_all(State& state) {
@@ -162,7 +167,7 @@ void sweep_all(State& state) {
 
 void sweep_force_with(const State& state, std::span<const std::int32_t> clusters,
                       const kernels::PairSweepView<double>& view, NarrowRecords& narrow) {
-  run(state, state.kernels.force.whole, clusters, view, narrow);
+  run(state, state.kernels.force.whole, clusters, SlotRanges(), view, narrow);
 }
 
 }  // namespace scarp

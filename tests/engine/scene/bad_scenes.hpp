@@ -202,7 +202,7 @@ inline constexpr BadScene bad_scenes[] = {
     {in_2d, "density = 2000.0", "density = 2000.0\nmass_scaling = nan", 11,
      "key 'material[0].mass_scaling'"},
     {in_2d, "density = 2000.0", "density = 2000.0\nmass_scaling = 2e6", 11,
-     "key 'material[0].mass_scaling' = 2000000.0: it is outside 1 to 1e+06"},
+     "key 'material[0].mass_scaling' = 2000000.0: it is outside 1 to 1000000"},
     {in_2d, "density = 2000.0", "density = 2000.0\nmass_scaling = \"4 kg\"", 11, "plain number"},
     {in_3d, "density = \"1.8 t/m3\"", "density = \"1.8 t/m3\"\nmass_scaling = 4", 27,
      "the artificial stress goes by the densities of a pair"},

@@ -58,7 +58,7 @@ constexpr auto special = compiled<Real, Dim, plain | viscous, plain | tensile, d
                                   corrected, diffused, viscous, conjugate_viscous>;
 template <int Dim>
 constexpr auto special<float, Dim> =
-    compiled<float, Dim, plain | viscous, plain | tensile, diffused, viscous>;
+    compiled<float, Dim, plain | viscous, plain | tensile, diffused, conjugate_viscous>;
 #endif
 template <class Real, int Dim>
 constexpr auto general =

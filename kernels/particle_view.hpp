@@ -77,13 +77,14 @@ enum WallSlot {
 
 /// Neighbours of clusters of particles, in blocks of `entry_block` records that share a page, so
 /// that two bytes tell each: page[block] + place[entry], or the far record for `no_neighbour`.
-/// Blocks [soil_begin[c], wall_begin[c]) hold soil and images, [wall_begin[c], soil_begin[c + 1])
+/// Blocks [soil_begin[c], wall_begin[c]) hold soil and images, [wall_begin[c], wall_end[c])
 /// dummies.
 struct NeighbourView {
-  const std::int32_t* page;        ///< by block: first record of its page
-  const std::uint16_t* place;      ///< by entry, entry_block to a block
-  const std::int64_t* soil_begin;  ///< clusters and one more
+  const std::int32_t* page;    ///< by block: first record of its page
+  const std::uint16_t* place;  ///< by entry, entry_block to a block
+  const std::int64_t* soil_begin;
   const std::int64_t* wall_begin;
+  const std::int64_t* wall_end;
   std::int32_t far_record;
 };
 inline constexpr int entry_block = 8;
@@ -218,11 +219,12 @@ struct CandidateView {
 
 /// What a wall sweep makes of the soil near dummies.
 enum class WallSums {
-  extrapolation,    ///< velocity and stress, where forces are not corrected
-  gradient,         ///< G_w/sum_k W_wk
-  corrected_stress  ///< average of T
+  extrapolation,     ///< velocity and stress, where forces are not corrected
+  gradient,          ///< G_w/sum_k W_wk
+  corrected_stress,  ///< average of T
+  weight             ///< sum_k W_wk and height alone
 };
-inline constexpr int wall_sums_count = 3;
+inline constexpr int wall_sums_count = 4;
 
 /// Input and output of the wall sweeps. The records of the dummies come with the velocity of their
 /// wall; records and faces start on a cache line.
@@ -239,7 +241,7 @@ struct WallSweepView {
   /// By dummy: stress [Pa]; G_w/sum W in the order of the components of a 3 x 3 matrix, or T in
   /// the order of `corrected_place`, without the weight of the soil along the normal.
   double* sums[10];
-  /// By dummy where forces are corrected, 0 without soil in reach: sum W; mean height of the soil
+  /// By dummy, 0 without soil in reach: sum W; where forces are corrected mean height of the soil
   /// over the dummy along its normal, in h; and with T the weight of the soil along the normal
   /// [Pa].
   double *weight, *height, *overburden;

@@ -124,7 +124,7 @@ void hold_off_faces(State& state) {
     FacetSearch search;
     for (std::int64_t cluster = begin; cluster < end; ++cluster) {
       if (!state.sleep.is_awake(cluster * size)) continue;
-      const bool has_dummies = lists.wall_begin[cluster] != lists.soil_begin[cluster + 1];
+      const bool has_dummies = lists.wall_begin[cluster] != lists.wall_end[cluster];
       if (!has_dummies && !state.boundary.images.is_close(cluster * size, size)) continue;
       const ParticleGroup& group = state.particles.group_of(cluster * size);
       const std::int64_t last = std::min((cluster + 1) * size, group.end());

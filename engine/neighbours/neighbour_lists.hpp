@@ -46,8 +46,8 @@ class NeighbourLists {
   void build(int threads, const kernels::KernelTable& kernels, const Input& input);
 
   kernels::NeighbourView view() const {
-    return {blocks_.page().data(), blocks_.place().data(), soil_begin_.data(), wall_begin_.data(),
-            far_record_};
+    return {blocks_.page().data(), blocks_.place().data(), soil_begin_.data(),
+            wall_begin_.data(),    soil_begin_.data() + 1, far_record_};
   }
   std::int64_t clusters() const { return static_cast<std::int64_t>(wall_begin_.size()); }
   /// Clusters that have neighbours at all.

@@ -90,7 +90,9 @@ const KernelTable& SCARP_TABLE() {
                                        {&wall_sweep<Arch, double, 2, WallSums::gradient>,
                                         &wall_sweep<Arch, double, 3, WallSums::gradient>},
                                        {&wall_sweep<Arch, double, 2, WallSums::corrected_stress>,
-                                        &wall_sweep<Arch, double, 3, WallSums::corrected_stress>}}},
+                                        &wall_sweep<Arch, double, 3, WallSums::corrected_stress>},
+                                       {&wall_sweep<Arch, double, 2, WallSums::weight>,
+                                        &wall_sweep<Arch, double, 3, WallSums::weight>}}},
                                      passes,
                                      &filter_candidates<Arch>};
   return table;

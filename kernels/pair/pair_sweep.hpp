@@ -138,9 +138,8 @@ void pair_sweep(const PairSweepView<Real>& view, std::int64_t begin, std::int64_
     const std::int64_t cluster = view.clusters[n];
     ClusterSweep<Arch, Real, Dim, Set, List> sweep(view, cluster);
     sweep.template add_blocks<false>(lists.soil_begin[cluster], lists.wall_begin[cluster]);
-    if (lists.wall_begin[cluster] != lists.soil_begin[cluster + 1]) {
-      sweep.template add_blocks<true>(lists.wall_begin[cluster], lists.soil_begin[cluster + 1]);
-    }
+    if (lists.wall_begin[cluster] != lists.wall_end[cluster])
+      sweep.template add_blocks<true>(lists.wall_begin[cluster], lists.wall_end[cluster]);
     sweep.store();
   }
 }

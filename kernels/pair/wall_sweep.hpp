@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "kernels/neighbour_block.hpp"
 #include "kernels/pair/force_correction.hpp"
@@ -51,22 +52,25 @@ class DummyCluster {
     sum.store_aligned(lane);
     for (int l = 0; l < half; ++l) out[l] = lane[l] + lane[l + half];
   }
-  SCARP_INLINE bool has_soil(Real weight) const {
-    return weight > least_wall_weight<Real> * (view_.smoothing.value[0] + view_.smoothing.value[1]);
+  /// Writes the sum of the weights, zero without soil in reach, and returns what averages divide
+  /// by: infinity there.
+  SCARP_INLINE void put_weight(const B& sum, Real (&divisor)[half]) const {
+    Real weights[half];
+    fold(sum, weights);
+    const Real least =
+        least_wall_weight<Real> * (view_.smoothing.value[0] + view_.smoothing.value[1]);
+    for (int l = 0; l < half; ++l) {
+      const bool has_soil = weights[l] > least;
+      divisor[l] = has_soil ? weights[l] : std::numeric_limits<Real>::infinity();
+      view_.weight[cluster_ * half + l] = has_soil ? static_cast<double>(weights[l]) : 0.0;
+    }
   }
-  /// Writes a sum over the weights; zero without soil in reach.
-  SCARP_INLINE void put_average(double* out, const B& sum, const Real (&weights)[half]) const {
+  /// Writes a sum over the weights, zero without soil in reach.
+  SCARP_INLINE void put_average(double* out, const B& sum, const Real (&divisor)[half]) const {
     Real sums[half];
     fold(sum, sums);
     for (int l = 0; l < half; ++l)
-      out[cluster_ * half + l] =
-          has_soil(weights[l]) ? static_cast<double>(sums[l] / weights[l]) : 0.0;
-  }
-  /// Writes the sum of the weights; zero without soil in reach.
-  SCARP_INLINE void put_weight(const Real (&weights)[half]) const {
-    for (int l = 0; l < half; ++l)
-      view_.weight[cluster_ * half + l] =
-          has_soil(weights[l]) ? static_cast<double>(weights[l]) : 0.0;
+      out[cluster_ * half + l] = static_cast<double>(sums[l] / divisor[l]);
   }
   std::int64_t first() const { return first_; }
 
@@ -144,25 +148,25 @@ void extrapolate_dummies(const WallSweepView<Real>& view, std::int64_t cluster) 
       sums[c] = xsimd::fma(weight, stress[c], sums[c]);
     });
   });
-  Real weights[half], heights[half], velocities[half];
-  dummies.fold(weight_sum, weights);
+  Real divisor[half], heights[half], velocities[half];
+  dummies.put_weight(weight_sum, divisor);
   dummies.fold(height_sum, heights);
   const Real* faces = view.faces + cluster * half * wall_record_size;
   for (int a = 0; a < Dim; ++a) {
     dummies.fold(velocity_sums[a], velocities);
     for (int l = 0; l < half; ++l) {
       Real velocity = view.records[(dummies.first() + l) * record_size + record_velocity_x + a];
-      if (dummies.has_soil(weights[l])) {
+      if (divisor[l] < std::numeric_limits<Real>::infinity()) {
         const Real behind = faces[l * wall_record_size + wall_distance];
-        const Real before = heights[l] / weights[l] - behind;
+        const Real before = heights[l] / divisor[l] - behind;
         const Real limit = faces[l * wall_record_size + wall_limit];
         const Real factor = behind / std::max(before, behind / limit);
-        velocity -= factor * (velocities[l] / weights[l] - velocity);
+        velocity -= factor * (velocities[l] / divisor[l] - velocity);
       }
       view.velocity[a][cluster * half + l] = static_cast<double>(velocity);
     }
   }
-  for (int c = 0; c < components; ++c) dummies.put_average(view.sums[c], sums[c], weights);
+  for (int c = 0; c < components; ++c) dummies.put_average(view.sums[c], sums[c], divisor);
 }
 
 /// Equation: B5; G_w/sum_k W_wk with G_w = sum_j V_j (v_wall - v_j) (x) grad_j W_jw [1/s], and the
@@ -202,13 +206,12 @@ void sum_dummy_gradients(const WallSweepView<Real>& view, std::int64_t cluster) 
       });
     });
   });
-  Real weights[half];
-  dummies.fold(weight_sum, weights);
-  dummies.put_weight(weights);
-  dummies.put_average(view.height, height_sum, weights);
+  Real divisor[half];
+  dummies.put_weight(weight_sum, divisor);
+  dummies.put_average(view.height, height_sum, divisor);
   for (int a = 0; a < Dim; ++a) {
     for (int b = 0; b < Dim; ++b)
-      dummies.put_average(view.sums[3 * a + b], sums[a * Dim + b], weights);
+      dummies.put_average(view.sums[3 * a + b], sums[a * Dim + b], divisor);
   }
 }
 
@@ -259,18 +262,41 @@ void average_corrected_stress(const WallSweepView<Real>& view, std::int64_t clus
       });
     });
   });
-  Real weights[half];
-  dummies.fold(weight_sum, weights);
-  dummies.put_weight(weights);
-  dummies.put_average(view.height, height_sum, weights);
-  dummies.put_average(view.overburden, overburden_sum, weights);
+  Real divisor[half];
+  dummies.put_weight(weight_sum, divisor);
+  dummies.put_average(view.height, height_sum, divisor);
+  dummies.put_average(view.overburden, overburden_sum, divisor);
+  // Not under a condition on a and b, for which gcc 12 subtracts in the first lane alone.
+  for (int a = 0; a < Dim; ++a) sums[a * Dim + a] = sums[a * Dim + a] - lithostatic_sum;
   for (int a = 0; a < Dim; ++a) {
-    for (int b = 0; b < Dim; ++b) {
-      B sum = sums[a * Dim + b];
-      if (a == b) sum = sum - lithostatic_sum;
-      dummies.put_average(view.sums[corrected_place_of(Dim, a, b)], sum, weights);
-    }
+    for (int b = 0; b < Dim; ++b)
+      dummies.put_average(view.sums[corrected_place<Dim>(a, b)], sums[a * Dim + b], divisor);
   }
+}
+
+/// Equation: B6; sum_k W_wk and the mean height of the soil, which is all that the sweep of
+/// gradients needs at the inner points.
+template <class Arch, class Real, int Dim>
+void sum_dummy_weights(const WallSweepView<Real>& view, std::int64_t cluster) {
+  using B = Batch<Real, Arch>;
+  const DummyCluster<Arch, Real, Dim> dummies(view, cluster);
+  using Quad = RecordQuad<Real, Arch>;
+  B position[Dim], normal[Dim], weight_sum(Real(0)), height_sum(Real(0));
+  for (int a = 0; a < Dim; ++a) {
+    position[a] = dummies.record(record_x + a);
+    normal[a] = dummies.face(wall_normal_x + a);
+  }
+  dummies.each_pair([&](std::int32_t low, std::int32_t high) SCARP_LAMBDA {
+    const DummyPair<Arch, Real, Dim> pair(
+        position, Quad(view.records + std::int64_t{low} * record_size + record_x,
+                       view.records + std::int64_t{high} * record_size + record_x));
+    const B weight = smoothing_value(TruncatedPowers(xsimd::sqrt(pair.squared)), view.smoothing);
+    weight_sum = weight_sum + weight;
+    height_sum = xsimd::fnma(weight, pair.depth(normal), height_sum);
+  });
+  Real divisor[dummies.half];
+  dummies.put_weight(weight_sum, divisor);
+  dummies.put_average(view.height, height_sum, divisor);
 }
 
 /// Sweeps clusters [begin, end) of dummies. Errors: none, hot path.
@@ -281,6 +307,8 @@ void wall_sweep(const WallSweepView<Real>& view, std::int64_t begin, std::int64_
       extrapolate_dummies<Arch, Real, Dim>(view, cluster);
     } else if constexpr (What == WallSums::gradient) {
       sum_dummy_gradients<Arch, Real, Dim>(view, cluster);
+    } else if constexpr (What == WallSums::weight) {
+      sum_dummy_weights<Arch, Real, Dim>(view, cluster);
     } else {
       average_corrected_stress<Arch, Real, Dim>(view, cluster);
     }

@@ -94,13 +94,14 @@ TEST(WallSweepTest, AgreesWithTheReference) {
           }
         }
         const auto gradient = swept(kernels_of(isa), p, s, WallSums::gradient),
-                   stress = swept(kernels_of(isa), p, s, WallSums::corrected_stress);
+                   stress = swept(kernels_of(isa), p, s, WallSums::corrected_stress),
+                   weights = swept(kernels_of(isa), p, s, WallSums::weight);
         // The sweep sums over weights in units of alpha_D / h^d.
         const double unit =
             form_of(smoothing).normalisation(dimension) / std::pow(s.smoothing_length, dimension);
         for (std::size_t w = 0; w < expected.size(); ++w) {
           const double h = s.smoothing_length;
-          for (const Swept* sums : {&gradient, &stress}) {
+          for (const Swept* sums : {&gradient, &stress, &weights}) {
             ASSERT_NEAR(sums->weight[w] * unit, expected[w].weight, 1e-10 * unit);
             ASSERT_NEAR(sums->height[w] * h, expected[w].height.value, 1e-10 * h);
           }

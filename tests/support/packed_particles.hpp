@@ -39,12 +39,12 @@ inline kernels::SmoothingView<double> smoothing_view(const kernels::SmoothingFor
 /// Owner of one neighbour list: every source within reach of any member of a cluster.
 struct PackedLists {
   NeighbourBlocks blocks;
-  std::vector<std::int64_t> soil_begin, wall_begin;
+  std::vector<std::int64_t> soil_begin, wall_begin, wall_end;
   std::int32_t far_record = 0;
 
   kernels::NeighbourView view() const {
-    return {blocks.page().data(), blocks.place().data(), soil_begin.data(), wall_begin.data(),
-            far_record};
+    return {blocks.page().data(), blocks.place().data(), soil_begin.data(),
+            wall_begin.data(),    wall_end.data(),       far_record};
   }
 };
 
@@ -227,14 +227,15 @@ class PackedParticles {
       append(lists_, i, count, false);
       lists_.wall_begin.push_back(lists_.blocks.size());
       append(lists_, i, count, true);
+      lists_.wall_end.push_back(lists_.blocks.size());
     }
     for (std::size_t i = 0; i < wall_count_; i += size) {
       wall_lists_.soil_begin.push_back(wall_lists_.blocks.size());
       append(wall_lists_, soil_count_ + i, std::min(size, wall_count_ - i), false);
       wall_lists_.wall_begin.push_back(wall_lists_.blocks.size());
+      wall_lists_.wall_end.push_back(wall_lists_.blocks.size());
     }
     for (PackedLists* lists : {&lists_, &wall_lists_}) {
-      lists->soil_begin.push_back(lists->blocks.size());
       lists->blocks.append_empty(2);
       lists->far_record = static_cast<std::int32_t>(far_record_);
     }

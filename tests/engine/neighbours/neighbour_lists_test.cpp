@@ -42,8 +42,8 @@ TEST(NeighbourBlocksTest, HoldRecordsOfAnyPageAndFillUpWithTheFarOne) {
   blocks.end_list();
   EXPECT_EQ(blocks.size(), 6);  // full blocks get no padding
   blocks.append_empty(2);
-  const kernels::NeighbourView view{blocks.page().data(), blocks.place().data(), nullptr, nullptr,
-                                    far_record};
+  const kernels::NeighbourView view{
+      blocks.page().data(), blocks.place().data(), nullptr, nullptr, nullptr, far_record};
   std::multiset<std::int32_t> expected(records.begin(), records.end());
   for (int k = 0; k < 4 * kernels::entry_block - 6; ++k) expected.insert(far_record);
   EXPECT_EQ(records_in(view, 0, 4), expected);
@@ -96,7 +96,7 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
       const std::multiset<std::int32_t> near_soil =
           records_in(view, view.soil_begin[cluster], view.wall_begin[cluster]);
       const std::multiset<std::int32_t> near_walls =
-          records_in(view, view.wall_begin[cluster], view.soil_begin[cluster + 1]);
+          records_in(view, view.wall_begin[cluster], view.wall_end[cluster]);
       const auto expect_listed = [&](const Points& others, std::int32_t count, std::int32_t first,
                                      const std::multiset<std::int32_t>& listed) {
         for (std::int32_t j = 0; j < count; ++j) {
@@ -112,7 +112,7 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
       expect_listed(walls, 300, first_wall, near_walls);
       // Records of a page stand together, and both sets lie in two pages at most.
       EXPECT_LE(padded_blocks(view, view.soil_begin[cluster], view.wall_begin[cluster]), 2);
-      EXPECT_LE(padded_blocks(view, view.wall_begin[cluster], view.soil_begin[cluster + 1]), 2);
+      EXPECT_LE(padded_blocks(view, view.wall_begin[cluster], view.wall_end[cluster]), 2);
     }
   }
 }
@@ -151,7 +151,7 @@ TEST_P(NeighbourListsTest, ReachFurtherAroundFastPoints) {
     const auto expect_listed = [&](const Points& others, std::int32_t count, std::int32_t first,
                                    bool dummies) {
       const std::multiset<std::int32_t> listed =
-          dummies ? records_in(view, view.wall_begin[cluster], view.soil_begin[cluster + 1])
+          dummies ? records_in(view, view.wall_begin[cluster], view.wall_end[cluster])
                   : records_in(view, view.soil_begin[cluster], view.wall_begin[cluster]);
       for (std::int32_t j = 0; j < count; ++j) {
         const auto b = static_cast<std::size_t>(j);

@@ -32,7 +32,7 @@ template <class Visit>
 void each_wall_beside(const State& state, std::int64_t cluster, const Visit& visit) {
   const kernels::NeighbourView lists = state.neighbours.lists.view();
   const bool images = state.boundary.images.count() > 0;
-  const std::int64_t end = lists.soil_begin[cluster + 1];
+  const std::int64_t end = lists.wall_end[cluster];
   for (std::int64_t block = images ? lists.soil_begin[cluster] : lists.wall_begin[cluster];
        block < end; ++block) {
     for (std::int64_t k = 0; k < kernels::entry_block; ++k) {
@@ -91,11 +91,53 @@ Vec3 total_force(const State& state, std::span<const std::int32_t> clusters,
   return sum;
 }
 
+/// Records of which one wall's alone have a volume: no other pair gives a force. They are copied
+/// only where they are needed.
+class OneWall {
+ public:
+  explicit OneWall(const State& state) : state_(state) {}
+
+  /// Puts the records into the view. Pre: `leave` is called before the next wall.
+  void enter(std::size_t wall, kernels::PairSweepView<double>& view) {
+    const Records& records = state_.sweep.records;
+    if (masked_.empty()) {
+      masked_.assign(records.records(),
+                     records.records() + records.layout().records() * kernels::record_size);
+      for (std::int64_t k = 0; k < records.layout().records(); ++k) volume(k) = 0.0;
+    }
+    each(wall, [&](std::int64_t record) {
+      volume(record) = records.records()[record * kernels::record_size + kernels::record_volume];
+    });
+    view.records = masked_.data();
+  }
+  void leave(std::size_t wall) {
+    if (masked_.empty()) return;
+    each(wall, [&](std::int64_t record) { volume(record) = 0.0; });
+  }
+
+ private:
+  double& volume(std::int64_t record) {
+    return masked_[static_cast<std::size_t>(record * kernels::record_size +
+                                            kernels::record_volume)];
+  }
+  template <class Visit>
+  void each(std::size_t wall, const Visit& visit) const {
+    for (const Role role : {Role::dummy, Role::image}) {
+      const RecordRange& range = state_.sweep.records.layout()[role];
+      for (std::int64_t record = range.first; record < range.end(); ++record) {
+        if (wall_of(state_, record) == wall) visit(record);
+      }
+    }
+  }
+
+  const State& state_;
+  AlignedVector<double> masked_;
+};
+
 }  // namespace
 
-/// What a wall gives to the soil beside it is the difference of two force sweeps: of the step's
-/// records, and of a copy in which the volumes of the wall's dummies and images are zero. The
-/// reaction is minus that, and what the wall's faces held off in the last step.
+/// What a wall gives to the soil beside it is a force sweep over the pairs with its dummies and
+/// images alone. The reaction is minus that, and what the wall's faces held off in the last step.
 std::vector<WallReaction> wall_reactions(const State& state) {
   std::vector<WallReaction> reactions;
   for (const Wall& wall : state.scene.walls) reactions.push_back({wall.name, {}});
@@ -110,31 +152,26 @@ std::vector<WallReaction> wall_reactions(const State& state) {
     acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
     out[a] = acceleration[a].data();
   }
-  const double* const records = view.records;
-  AlignedVector<double> masked(
-      records, records + state.sweep.records.layout().records() * kernels::record_size);
-  const auto set_volumes = [&](std::size_t wall, bool there) {
-    for (const Role role : {Role::dummy, Role::image}) {
-      const RecordRange& range = state.sweep.records.layout()[role];
-      for (std::int64_t record = range.first; record < range.end(); ++record) {
-        if (wall_of(state, record) != wall) continue;
-        const std::int64_t volume = record * kernels::record_size + kernels::record_volume;
-        masked[static_cast<std::size_t>(volume)] = there ? records[volume] : 0.0;
-      }
-    }
-  };
   const ClustersByWall beside = clusters_beside_walls(state);
+  const auto stands_beside = [&](std::size_t w) {
+    return state.boundary.stands[w] && !beside[w].empty();
+  };
+  std::size_t rough = 0;
+  for (std::size_t w = 0; w < reactions.size(); ++w)
+    rough += stands_beside(w) && state.scene.walls[w].kind == WallKind::no_slip ? 1 : 0;
+  OneWall records(state);
   for (std::size_t w = 0; w < reactions.size(); ++w) {
     if (!state.boundary.stands[w]) continue;
     reactions[w].force = state.boundary.hold_force[w];
-    if (beside[w].empty()) continue;
-    const Vec3 with = total_force(state, beside[w], view, narrow);
-    set_volumes(w, false);
-    view.records = masked.data();
-    const Vec3 without = total_force(state, beside[w], view, narrow);
-    view.records = records;
-    set_volumes(w, true);
-    for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] += without[a] - with[a];
+    if (!stands_beside(w)) continue;
+    kernels::PairSweepView<double> pairs = view;
+    const bool smooth = state.scene.walls[w].kind == WallKind::free_slip;
+    // Dummies have their own part of the lists.
+    if (!smooth) pairs.neighbours.soil_begin = pairs.neighbours.wall_begin;
+    if (smooth || rough > 1) records.enter(w, pairs);
+    const Vec3 force = total_force(state, beside[w], pairs, narrow);
+    records.leave(w);
+    for (std::size_t a = 0; a < 3; ++a) reactions[w].force[a] -= force[a];
   }
   std::vector<Vec3> forces;
   for (const WallReaction& reaction : reactions) forces.push_back(reaction.force);

@@ -47,8 +47,8 @@ double next_multiple(double time, double interval) {
   return interval == never ? never : (std::floor(time / interval * (1.0 + 1e-12)) + 1.0) * interval;
 }
 
-/// Steps that cost about ten times as much as a row, as a force sweep for all walls and one for
-/// each (`wall_reactions`) do; a step costs about three sweeps.
+/// Steps that cost at least ten times as much as a row, which takes a force sweep of part of the
+/// soil for each wall (`wall_reactions`); a step costs about three sweeps.
 std::uint64_t steps_worth_ten_rows(const Scene& scene) { return 4 * (1 + scene.walls.size()); }
 
 /// Adds the wall time of its life to a sum.

@@ -82,6 +82,20 @@ WallColumns::WallColumns(const WallDummies& dummies, std::span<const std::size_t
   }
 }
 
+void WallColumns::choose_active(std::span<const std::int32_t> clusters, int cluster_size) {
+  active_.clear();
+  if (columns_.empty()) return;
+  std::vector<std::uint8_t> reached(column_of_.size() / static_cast<std::size_t>(cluster_size) + 1);
+  for (const std::int32_t cluster : clusters) reached[static_cast<std::size_t>(cluster)] = 1;
+  const auto is_reached = [&](std::size_t dummy) {
+    return reached[dummy / static_cast<std::size_t>(cluster_size)] != 0;
+  };
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    columns_[c].per_lever = 0.0;
+    if (is_reached(columns_[c].first) && is_reached(columns_[c].inner)) active_.push_back(c);
+  }
+}
+
 void WallColumns::set_lever(const DummySums& sums, Column& column) const {
   column.per_lever = 0.0;
   if (sums.weight[column.first] == 0.0 || sums.weight[column.inner] == 0.0) return;
@@ -95,76 +109,52 @@ void WallColumns::set_lever(const DummySums& sums, Column& column) const {
 template <class Gather>
 void WallColumns::each_column(int threads, const DummySums& sums, const double* faces,
                               const Gather& gather) {
-  parallel_chunks(threads, count(), columns_per_chunk, [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t c = begin; c < end; ++c) {
-      Column& column = columns_[static_cast<std::size_t>(c)];
-      set_lever(sums, column);
-      if (column.per_lever != 0.0)
-        gather(column, faces + column.first * wall_record_size + wall_normal_x);
-    }
-  });
+  parallel_chunks(threads, std::ssize(active_), columns_per_chunk,
+                  [&](std::int64_t begin, std::int64_t end) {
+                    for (std::int64_t n = begin; n < end; ++n) {
+                      Column& column = columns_[active_[static_cast<std::size_t>(n)]];
+                      set_lever(sums, column);
+                      if (column.per_lever != 0.0)
+                        gather(column, faces + column.first * wall_record_size + wall_normal_x);
+                    }
+                  });
 }
 
-void WallColumns::gather_stress(int threads, const DummySums& sums, const double* faces,
-                                int dimension) {
-  const auto size = static_cast<std::size_t>(dimension);
+template <int Dim>
+void WallColumns::gather_stress(int threads, const DummySums& sums, const double* faces) {
   each_column(threads, sums, faces, [&](Column& column, const double* normal) {
-    for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t a = 0; a < Dim; ++a) {
       column.vector[a] = 0.0;
-      for (std::size_t b = 0; b < size; ++b) {
-        const auto& sum =
-            sums.sums[corrected_place_of(dimension, static_cast<int>(a), static_cast<int>(b))];
+      for (std::size_t b = 0; b < Dim; ++b) {
+        const auto& sum = sums.sums[corrected_place<Dim>(static_cast<int>(a), static_cast<int>(b))];
         column.vector[a] += (sum[column.inner] - sum[column.first]) * normal[b];
       }
     }
   });
 }
 
+template <int Dim>
 void WallColumns::gather_gradients(int threads, const DummySums& sums,
-                                   std::span<const double> standing, const double* faces,
-                                   int dimension) {
-  const auto size = static_cast<std::size_t>(dimension);
+                                   std::span<const double> standing, const double* faces) {
   each_column(threads, sums, faces, [&](Column& column, const double* normal) {
-    for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t a = 0; a < Dim; ++a) {
       column.vector[a] = 0.0;
       for (std::size_t m = column.begin; m < column.end; ++m) {
         const std::size_t k = members_[m];
         double along = 0.0;
-        for (std::size_t b = 0; b < size; ++b) along += sums.sums[3 * a + b][k] * normal[b];
+        for (std::size_t b = 0; b < Dim; ++b) along += sums.sums[3 * a + b][k] * normal[b];
         column.vector[a] += standing[k] * sums.weight[k] * sums.height[k] * along;
       }
     }
   });
 }
 
-void WallColumns::continue_stress(const DummySums& sums, std::size_t dummy, const double* normal,
-                                  int dimension, Tensor<double>& stress) const {
-  const double weight = sums.overburden[dummy];
-  const auto size = static_cast<std::size_t>(dimension);
-  for (std::size_t a = 0; a < size; ++a) stress.m[a][a] += weight;
-  if (!any() || column_of_[dummy] == no_column) return;
-  const Column& column = columns_[column_of_[dummy]];
-  if (column.per_lever == 0.0) return;
-  for (std::size_t a = 0; a < size; ++a) {
-    const double change = -column.per_lever * (sums.height[dummy] * column.vector[a] +
-                                               column.lever * weight * normal[a]);
-    for (std::size_t b = 0; b < size; ++b) stress.m[a][b] += change * normal[b];
-  }
-}
-
-void WallColumns::add_gradient(const DummySums& sums, std::size_t dummy, const double* normal,
-                               int dimension, double volume, Tensor<double>& gradient) const {
-  if (!any() || column_of_[dummy] == no_column) return;
-  const Column& column = columns_[column_of_[dummy]];
-  if (dummy != column.first && dummy != column.inner) return;
-  if (column.per_lever == 0.0) return;
-  const double scale =
-      volume * (dummy == column.first ? column.per_lever : -column.per_lever) / sums.weight[dummy];
-  const auto size = static_cast<std::size_t>(dimension);
-  for (std::size_t a = 0; a < size; ++a) {
-    for (std::size_t b = 0; b < size; ++b) gradient.m[a][b] += scale * column.vector[a] * normal[b];
-  }
-}
+template void WallColumns::gather_stress<2>(int, const DummySums&, const double*);
+template void WallColumns::gather_stress<3>(int, const DummySums&, const double*);
+template void WallColumns::gather_gradients<2>(int, const DummySums&, std::span<const double>,
+                                               const double*);
+template void WallColumns::gather_gradients<3>(int, const DummySums&, std::span<const double>,
+                                               const double*);
 
 void WallColumns::add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const {
   const std::vector<std::uint8_t> asked = wanted_clusters;
@@ -184,7 +174,7 @@ void WallColumns::add_partners(std::vector<std::uint8_t>& wanted_clusters, int c
 
 std::size_t WallColumns::bytes() const {
   return columns_.size() * sizeof(Column) +
-         (members_.size() + column_of_.size() + distance_.size()) * sizeof(double);
+         (active_.size() + members_.size() + column_of_.size() + distance_.size()) * sizeof(double);
 }
 
 }  // namespace scarp

@@ -45,19 +45,48 @@ class WallColumns {
   bool any() const { return !columns_.empty(); }
   std::int64_t count() const { return static_cast<std::int64_t>(columns_.size()); }
   bool is_inner(std::size_t dummy) const { return any() && distance_[dummy] < 0.0; }
+  /// Of columns of which no soil can reach the first dummy or the inner point, by the clusters of
+  /// dummies that soil reaches, nothing is summed from now on.
+  void choose_active(std::span<const std::int32_t> clusters, int cluster_size);
   /// What the dummies of each column have in common, once they have been summed: of stress, before
   /// `continue_stress`, or of velocity gradients, before `add_gradient`. `faces` has a
   /// kernels::WallSlot record for each dummy.
-  void gather_stress(int threads, const DummySums& sums, const double* faces, int dimension);
+  template <int Dim>
+  void gather_stress(int threads, const DummySums& sums, const double* faces);
+  template <int Dim>
   void gather_gradients(int threads, const DummySums& sums, std::span<const double> standing,
-                        const double* faces, int dimension);
+                        const double* faces);
   /// Completes the averaged stress of a dummy.
+  template <int Dim>
   void continue_stress(const DummySums& sums, std::size_t dummy, const double* normal,
-                       int dimension, kernels::Tensor<double>& stress) const;
+                       kernels::Tensor<double>& stress) const {
+    const double weight = sums.overburden[dummy];
+    for (std::size_t a = 0; a < Dim; ++a) stress.m[a][a] += weight;
+    if (!any() || column_of_[dummy] == no_column) return;
+    const Column& column = columns_[column_of_[dummy]];
+    if (column.per_lever == 0.0) return;
+    for (std::size_t a = 0; a < Dim; ++a) {
+      const double change = -column.per_lever * (sums.height[dummy] * column.vector[a] +
+                                                 column.lever * weight * normal[a]);
+      for (std::size_t b = 0; b < Dim; ++b) stress.m[a][b] += change * normal[b];
+    }
+  }
   /// Adds to H_w of a first dummy or inner point what its column takes of the soil near it, the
   /// transpose of `continue_stress`. All dummies that stand have one volume.
-  void add_gradient(const DummySums& sums, std::size_t dummy, const double* normal, int dimension,
-                    double volume, kernels::Tensor<double>& gradient) const;
+  template <int Dim>
+  void add_gradient(const DummySums& sums, std::size_t dummy, const double* normal, double volume,
+                    kernels::Tensor<double>& gradient) const {
+    if (!any() || column_of_[dummy] == no_column) return;
+    const Column& column = columns_[column_of_[dummy]];
+    if (dummy != column.first && dummy != column.inner) return;
+    if (column.per_lever == 0.0) return;
+    const double scale = volume * (dummy == column.first ? column.per_lever : -column.per_lever) /
+                         sums.weight[dummy];
+    for (std::size_t a = 0; a < Dim; ++a) {
+      for (std::size_t b = 0; b < Dim; ++b)
+        gradient.m[a][b] += scale * column.vector[a] * normal[b];
+    }
+  }
   /// Clusters that hold part of a column of which another part is in a wanted cluster.
   void add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const;
   std::size_t bytes() const;
@@ -77,6 +106,7 @@ class WallColumns {
   void set_lever(const DummySums& sums, Column& column) const;
 
   std::vector<Column> columns_;
+  std::vector<std::size_t> active_;  ///< in `columns_`
   std::vector<std::size_t> members_;
   std::vector<std::size_t> column_of_;  ///< by dummy
   std::vector<double> distance_;        ///< by dummy, behind its face [h]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
 
 #include "engine/parallel.hpp"
 #include "kernels/pair/force_correction.hpp"
@@ -60,10 +61,11 @@ void Walls::remember_built() {
   std::copy(std::begin(position_), std::end(position_), std::begin(built_position_));
 }
 
-void Walls::mark_built() {
+void Walls::mark_built(std::span<const std::int32_t> clusters, int cluster_size) {
   stand_as_built_ = true;
   if (have_moved()) remember_built();
   std::fill(sums_.weight.begin(), sums_.weight.end(), 0.0);
+  columns_.choose_active(clusters, cluster_size);
 }
 
 void Walls::move_to(std::span<const double> positions) {
@@ -114,39 +116,33 @@ void Walls::put_density(Records& records, double density) const {
     records.record(Role::dummy, k)[record_density] = density;
 }
 
-void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what, int dimension,
+template <int Dim>
+void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what,
                      const WallMaterial& material) const {
   const auto k = static_cast<std::size_t>(dummy);
   double* r = records.record(Role::dummy, dummy);
-  const auto size = static_cast<std::size_t>(dimension);
   if (what == WallSums::extrapolation) {
-    for (std::size_t a = 0; a < size; ++a) r[record_velocity_x + a] = velocity_[a][k];
-    for (std::size_t c = 0; c < (size == 2 ? 4 : 6); ++c) r[record_stress + c] = sums_.sums[c][k];
+    for (std::size_t a = 0; a < Dim; ++a) r[record_velocity_x + a] = velocity_[a][k];
+    for (std::size_t c = 0; c < (Dim == 2 ? 4 : 6); ++c) r[record_stress + c] = sums_.sums[c][k];
     return;
-  }
-  Tensor<double> t{};
-  for (int a = 0; a < dimension; ++a) {
-    for (int b = 0; b < dimension; ++b) {
-      const int sum = what == WallSums::gradient ? 3 * a + b : corrected_place_of(dimension, a, b);
-      t.m[a][b] = sums_.sums[sum][k];
-    }
   }
   const double* normal = faces_.data() + k * wall_record_size + wall_normal_x;
+  Tensor<double> t{};
   if (what == WallSums::corrected_stress) {
-    columns_.continue_stress(sums_, k, normal, dimension, t);
-    records.put_corrected_stress(records.layout()[Role::dummy].first + dummy, dimension, t);
+    if (is_inner(dummy)) return;  // without a volume nobody reads it
+    for (int a = 0; a < Dim; ++a) {
+      for (int b = 0; b < Dim; ++b) t.m[a][b] = sums_.sums[corrected_place<Dim>(a, b)][k];
+    }
+    columns_.continue_stress<Dim>(sums_, k, normal, t);
+    records.put_corrected_stress<Dim>(records.layout()[Role::dummy].first + dummy, t);
     return;
   }
-  for (auto& row : t.m) {
-    for (double& value : row) value *= r[record_volume];
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) t.m[a][b] = r[record_volume] * sums_.sums[3 * a + b][k];
   }
-  columns_.add_gradient(sums_, k, normal, dimension, material.volume, t);
-  for (int a = 0; a < dimension; ++a) {
-    for (int b = 0; b < dimension; ++b) {
-      const int place =
-          dimension == 2 ? wall_gradient_place<2>(a, b) : wall_gradient_place<3>(a, b);
-      r[record_density + place] = t.m[a][b];
-    }
+  columns_.add_gradient<Dim>(sums_, k, normal, material.volume, t);
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) r[record_density + wall_gradient_place<Dim>(a, b)] = t.m[a][b];
   }
 }
 
@@ -177,13 +173,21 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
     sweep(view, cluster, cluster + 1);
   });
   // A column takes sums of other clusters.
-  if (what == WallSums::corrected_stress)
-    columns_.gather_stress(threads, sums_, faces_.data(), dimension);
-  if (what == WallSums::gradient)
-    columns_.gather_gradients(threads, sums_, standing_, faces_.data(), dimension);
-  each_cluster([&](std::int64_t, std::int64_t first, std::int64_t last) {
-    for (std::int64_t k = first; k < last; ++k) put_sums(records, k, what, dimension, material);
-  });
+  const auto put = [&](auto dim) {
+    constexpr int Dim = decltype(dim)::value;
+    if (what == WallSums::corrected_stress)
+      columns_.gather_stress<Dim>(threads, sums_, faces_.data());
+    if (what == WallSums::gradient)
+      columns_.gather_gradients<Dim>(threads, sums_, standing_, faces_.data());
+    each_cluster([&](std::int64_t, std::int64_t first, std::int64_t last) {
+      for (std::int64_t k = first; k < last; ++k) put_sums<Dim>(records, k, what, material);
+    });
+  };
+  if (dimension == 2) {
+    put(std::integral_constant<int, 2>());
+  } else {
+    put(std::integral_constant<int, 3>());
+  }
 }
 
 std::size_t Walls::bytes() const {

@@ -50,8 +50,9 @@ class Walls {
   void move(std::size_t wall, const Vec3& step);
   /// Puts the dummies at x of all, then y, then z.
   void move_to(std::span<const double> positions);
-  /// The lists have been built of the present positions; dummies they leave out have no soil.
-  void mark_built();
+  /// The lists have been built of the present positions; dummies of other clusters than these have
+  /// no soil.
+  void mark_built(std::span<const std::int32_t> clusters, int cluster_size);
   bool have_moved() const { return !built_position_[0].empty(); }
   /// Whether lists have been built of the present positions.
   bool stand_as_built() const { return stand_as_built_; }
@@ -81,7 +82,8 @@ class Walls {
   void remember_built();
   void pack(Records& records, std::int64_t dummy, const WallMaterial& material,
             const std::vector<Vec3>& wall_velocity) const;
-  void put_sums(Records& records, std::int64_t dummy, kernels::WallSums what, int dimension,
+  template <int Dim>
+  void put_sums(Records& records, std::int64_t dummy, kernels::WallSums what,
                 const WallMaterial& material) const;
 
   std::int64_t slots_ = 0;

@@ -148,7 +148,8 @@ void build_lists(State& state) {
   }
   input.sources = sources;
   state.neighbours.lists.build(state.threads, *state.kernels.table, input);
-  state.boundary.walls.mark_built();
+  walls.mark_built(state.neighbours.wall_lists.active_clusters(),
+                   state.kernels.table->cluster_size);
   state.boundary.built_offset = state.boundary.offset;
   state.boundary.moved = 0.0;
   state.neighbours.valid = true;

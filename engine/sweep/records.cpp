@@ -146,11 +146,17 @@ double* Records::corrected_value(std::int64_t index, int place) {
   return place < 8 ? record(index) + record_stress + place
                    : extra_.data() + index * extra_record_size + corrected_extra + place - 8;
 }
-void Records::put_corrected_stress(std::int64_t index, int dimension, const Tensor<double>& t) {
-  for (int a = 0; a < dimension; ++a) {
-    for (int b = 0; b < dimension; ++b)
-      *corrected_value(index, corrected_place_of(dimension, a, b)) = t.m[a][b];
+template <int Dim>
+void Records::put_corrected_stress(std::int64_t index, const Tensor<double>& t) {
+  for (int a = 0; a < Dim; ++a) {
+    for (int b = 0; b < Dim; ++b) *corrected_value(index, corrected_place<Dim>(a, b)) = t.m[a][b];
   }
+}
+template void Records::put_corrected_stress<2>(std::int64_t, const Tensor<double>&);
+template void Records::put_corrected_stress<3>(std::int64_t, const Tensor<double>&);
+void Records::put_corrected_stress(std::int64_t index, int dimension, const Tensor<double>& t) {
+  if (dimension == 2) return put_corrected_stress<2>(index, t);
+  put_corrected_stress<3>(index, t);
 }
 Tensor<double> Records::corrected_stress(std::int64_t index, int dimension) {
   Tensor<double> t{};

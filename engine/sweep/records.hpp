@@ -60,6 +60,8 @@ class Records {
   StressForm stress_form() const { return form_; }
   /// T of a record, and another one into it.
   kernels::Tensor<double> corrected_stress(std::int64_t index, int dimension);
+  template <int Dim>
+  void put_corrected_stress(std::int64_t index, const kernels::Tensor<double>& t);
   void put_corrected_stress(std::int64_t index, int dimension, const kernels::Tensor<double>& t);
   /// The same for h D/2 of the hourglass viscosity.
   kernels::SymTensor<double> strain_rate(std::int64_t index, int dimension);

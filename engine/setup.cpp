@@ -235,7 +235,8 @@ void place_walls(State& state) {
       Walls(moved, state.boundary.stands, cell, state.scaling.inverse_smoothing_length,
             state.particles.largest_spacing());
   state.boundary.placed_offset = state.boundary.built_offset = state.boundary.offset;
-  state.sweep.records = Records(state.particles.slots(), state.boundary.walls.slots());
+  state.sweep.records = Records(state.particles.slots(), state.boundary.walls.dummy_slots(),
+                                state.boundary.walls.inner_slots());
   state.neighbours.valid = false;
 }
 

@@ -214,8 +214,7 @@ std::vector<std::int64_t> Simulation::ids() const {
 std::vector<double> Simulation::wall_positions() const {
   const Walls& walls = owned(impl_).state.boundary.walls;
   std::vector<double> out;
-  for (std::int64_t k = 0; k < walls.count(); ++k) {
-    if (walls.is_inner(k)) continue;
+  for (std::int64_t k = 0; k < walls.dummy_count(); ++k) {
     for (const double* axis : {walls.points().x, walls.points().y, walls.points().z})
       out.push_back(axis[k]);
   }

@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::int64_t clusters_per_chunk = 64;
 
-/// The wall that a record is a dummy or an image of; none: the record is soil.
-constexpr std::size_t no_wall = ~std::size_t{0};
+/// The wall that a record is a dummy or an image of; none: the record is soil or padding.
 std::size_t wall_of(const State& state, std::int64_t record) {
   const RecordLayout& layout = state.sweep.records.layout();
   const auto within = [&](Role role) {
@@ -20,8 +19,7 @@ std::size_t wall_of(const State& state, std::int64_t record) {
   };
   const Boundary& boundary = state.boundary;
   if (within(Role::dummy)) {
-    const std::int64_t dummy = record - layout[Role::dummy].first;
-    return dummy < boundary.walls.count() ? boundary.walls.wall_of(dummy) : no_wall;
+    return boundary.walls.wall_of(record - layout[Role::dummy].first);
   }
   return within(Role::image) ? boundary.images.wall_of(record - layout[Role::image].first)
                              : no_wall;

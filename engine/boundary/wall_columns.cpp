@@ -52,7 +52,7 @@ std::size_t DummySums::bytes() const {
 }
 
 WallColumns::WallColumns(const WallDummies& dummies, std::span<const std::size_t> place,
-                         std::size_t standing, double inverse_smoothing_length, double spacing)
+                         std::size_t slots, double inverse_smoothing_length, double spacing)
     : spacing_(spacing * inverse_smoothing_length) {
   std::vector<std::size_t> number(dummies.columns.size(), no_column);
   for (std::size_t c = 0; c < dummies.columns.size(); ++c) {
@@ -63,8 +63,8 @@ WallColumns::WallColumns(const WallDummies& dummies, std::span<const std::size_t
         {.first = place[column.first], .inner = place[column.inner], .begin = 0, .end = 0});
   }
   if (columns_.empty()) return;
-  column_of_.assign(standing, no_column);
-  distance_.assign(standing, 0.0);
+  column_of_.assign(slots, no_column);
+  distance_.assign(slots, 0.0);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;  // column and member
   for (std::size_t k = 0; k < place.size(); ++k) {
     if (place[k] == no_column) continue;

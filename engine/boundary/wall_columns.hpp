@@ -38,13 +38,11 @@ struct DummySums {
 class WallColumns {
  public:
   WallColumns() = default;
-  /// `place[k]` is where dummy k of `dummies` stands in Morton order; `no_column` if it does not.
-  WallColumns(const WallDummies& dummies, std::span<const std::size_t> place, std::size_t standing,
+  /// `place[k]` is the slot of dummy k of `dummies`; `no_column` if it does not stand.
+  WallColumns(const WallDummies& dummies, std::span<const std::size_t> place, std::size_t slots,
               double inverse_smoothing_length, double spacing);
 
   bool any() const { return !columns_.empty(); }
-  std::int64_t count() const { return static_cast<std::int64_t>(columns_.size()); }
-  bool is_inner(std::size_t dummy) const { return any() && distance_[dummy] < 0.0; }
   /// Of columns of which no soil can reach the first dummy or the inner point, by the clusters of
   /// dummies that soil reaches, nothing is summed from now on.
   void choose_active(std::span<const std::int32_t> clusters, int cluster_size);

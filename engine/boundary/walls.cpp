@@ -22,30 +22,37 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     if (!stands[dummies.wall[k]]) continue;
     kept.push_back(k);
     for (std::size_t a = 0; a < 3; ++a) axes[a].push_back(dummies.position[k][a]);
+    ++(dummies.distance[k] > 0.0 ? dummy_count_ : inner_count_);
   }
-  slots_ = padded(static_cast<std::int64_t>(kept.size()));
   CellGrid grid;
-  const SlotRange all{0, static_cast<std::int64_t>(kept.size())};
+  const SlotRange all{0, std::ssize(kept)};
   grid.build(1, {axes[0].data(), axes[1].data(), axes[2].data()}, {&all, 1}, cell_size);
+  const auto size = static_cast<std::size_t>(slots());
   for (auto* components : {position_, velocity_}) {
-    for (std::size_t a = 0; a < 3; ++a) components[a].assign(static_cast<std::size_t>(slots_), 0.0);
+    for (std::size_t a = 0; a < 3; ++a) components[a].assign(size, 0.0);
   }
-  faces_.assign(static_cast<std::size_t>(slots_) * wall_record_size, 0.0);
-  sums_.resize(slots_);
+  faces_.assign(size * wall_record_size, 0.0);
+  sums_.resize(slots());
+  wall_.assign(size, no_wall);
+  standing_.assign(size, 0.0);
   std::vector<std::size_t> place(dummies.wall.size(), no_column);
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    const std::size_t source = kept[static_cast<std::size_t>(grid.order()[k])];
+  std::size_t next_dummy = 0, next_inner = static_cast<std::size_t>(dummy_slots());
+  for (const std::int32_t n : grid.order()) {
+    const std::size_t source = kept[static_cast<std::size_t>(n)];
+    const bool is_dummy = dummies.distance[source] > 0.0;
+    const std::size_t k = is_dummy ? next_dummy++ : next_inner++;
     for (std::size_t a = 0; a < 3; ++a) position_[a][k] = dummies.position[source][a];
     double* face = faces_.data() + k * wall_record_size;
     for (std::size_t a = 0; a < 3; ++a) face[wall_normal_x + a] = dummies.normal[source][a];
     face[wall_distance] = dummies.distance[source] * inverse_smoothing_length;
     face[wall_limit] =
         dummies.near_edge[source] ? extrapolation_limit_near_edge : extrapolation_limit;
-    wall_.push_back(dummies.wall[source]);
-    standing_.push_back(dummies.distance[source] > 0.0 ? 1.0 : 0.0);
+    wall_[k] = dummies.wall[source];
+    standing_[k] = is_dummy ? 1.0 : 0.0;
     place[source] = k;
+    order_.push_back(k);
   }
-  columns_ = WallColumns(dummies, place, kept.size(), inverse_smoothing_length, spacing);
+  columns_ = WallColumns(dummies, place, size, inverse_smoothing_length, spacing);
   corner_reach_ = dummies.corner_reach;
   for (const SmoothCorner& corner : dummies.beside_smooth) {
     if (!stands[dummies.wall[corner.dummy]]) continue;
@@ -53,8 +60,17 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
   }
 }
 
-PointSpan Walls::points() const {
-  return {position_[0].data(), position_[1].data(), position_[2].data()};
+PointSpan Walls::points_from(std::int64_t slot) const {
+  return {position_[0].data() + slot, position_[1].data() + slot, position_[2].data() + slot};
+}
+
+std::vector<double> Walls::in_order(const AlignedVector<double> (&from)[3]) const {
+  std::vector<double> out;
+  out.reserve(3 * order_.size());
+  for (const AlignedVector<double>& axis : from) {
+    for (const std::size_t slot : order_) out.push_back(axis[slot]);
+  }
+  return out;
 }
 
 void Walls::remember_built() {
@@ -71,9 +87,10 @@ void Walls::mark_built(std::span<const std::int32_t> clusters, int cluster_size)
 void Walls::move_to(std::span<const double> positions) {
   if (!have_moved()) remember_built();
   stand_as_built_ = false;
-  for (std::size_t a = 0; a < 3; ++a)
-    std::copy_n(positions.begin() + static_cast<std::ptrdiff_t>(a) * count(), count(),
-                position_[a].begin());
+  auto value = positions.begin();
+  for (AlignedVector<double>& axis : position_) {
+    for (const std::size_t slot : order_) axis[slot] = *value++;
+  }
 }
 
 void Walls::move(std::size_t wall, const Vec3& step) {
@@ -112,7 +129,7 @@ void Walls::pack(Records& records, std::int64_t dummy, const WallMaterial& mater
 }
 
 void Walls::put_density(Records& records, double density) const {
-  for (std::int64_t k = 0; k < count(); ++k)
+  for (std::int64_t k = 0; k < dummy_count_; ++k)
     records.record(Role::dummy, k)[record_density] = density;
 }
 
@@ -129,7 +146,6 @@ void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what,
   const double* normal = faces_.data() + k * wall_record_size + wall_normal_x;
   Tensor<double> t{};
   if (what == WallSums::corrected_stress) {
-    if (is_inner(dummy)) return;  // without a volume nobody reads it
     for (int a = 0; a < Dim; ++a) {
       for (int b = 0; b < Dim; ++b) t.m[a][b] = sums_.sums[corrected_place<Dim>(a, b)][k];
     }
@@ -137,8 +153,10 @@ void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what,
     records.put_corrected_stress<Dim>(records.layout()[Role::dummy].first + dummy, t);
     return;
   }
-  for (int a = 0; a < Dim; ++a) {
-    for (int b = 0; b < Dim; ++b) t.m[a][b] = r[record_volume] * sums_.sums[3 * a + b][k];
+  if (dummy < dummy_count_) {  // an inner point takes part in its column alone
+    for (int a = 0; a < Dim; ++a) {
+      for (int b = 0; b < Dim; ++b) t.m[a][b] = r[record_volume] * sums_.sums[3 * a + b][k];
+    }
   }
   columns_.add_gradient<Dim>(sums_, k, normal, material.volume, t);
   for (int a = 0; a < Dim; ++a) {
@@ -157,20 +175,25 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
   view.weight = sums_.weight.data();
   view.height = sums_.height.data();
   view.overburden = sums_.overburden.data();
-  const auto sweep =
-      kernels.wall_sweep[static_cast<std::size_t>(what)][static_cast<std::size_t>(dimension - 2)];
-  const std::int64_t size = kernels.cluster_size;
+  const auto sweep_of = [&](WallSums sums) {
+    return kernels
+        .wall_sweep[static_cast<std::size_t>(sums)][static_cast<std::size_t>(dimension - 2)];
+  };
+  const auto sweep = sweep_of(what),
+             inner_sweep = what == WallSums::gradient ? sweep_of(WallSums::weight) : sweep;
+  const std::int64_t size = kernels.cluster_size, first_inner = dummy_slots() / size;
   const auto each_cluster = [&](const auto& visit) {
     parallel_chunks(threads, std::ssize(clusters), 64, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t n = begin; n < end; ++n) {
         const std::int64_t cluster = clusters[static_cast<std::size_t>(n)];
-        visit(cluster, cluster * size, std::min((cluster + 1) * size, count()));
+        const SlotRange range = cluster < first_inner ? dummies() : inner();
+        visit(cluster, cluster * size, std::min((cluster + 1) * size, range.end));
       }
     });
   };
   each_cluster([&](std::int64_t cluster, std::int64_t first, std::int64_t last) {
     for (std::int64_t k = first; k < last; ++k) pack(records, k, material, wall_velocity);
-    sweep(view, cluster, cluster + 1);
+    (cluster < first_inner ? sweep : inner_sweep)(view, cluster, cluster + 1);
   });
   // A column takes sums of other clusters.
   const auto put = [&](auto dim) {
@@ -179,7 +202,9 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
       columns_.gather_stress<Dim>(threads, sums_, faces_.data());
     if (what == WallSums::gradient)
       columns_.gather_gradients<Dim>(threads, sums_, standing_, faces_.data());
-    each_cluster([&](std::int64_t, std::int64_t first, std::int64_t last) {
+    each_cluster([&](std::int64_t cluster, std::int64_t first, std::int64_t last) {
+      // No force is summed over inner points.
+      if (what == WallSums::corrected_stress && cluster >= first_inner) return;
       for (std::int64_t k = first; k < last; ++k) put_sums<Dim>(records, k, what, material);
     });
   };
@@ -191,9 +216,9 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
 }
 
 std::size_t Walls::bytes() const {
-  return static_cast<std::size_t>(slots_) * (6 + wall_record_size) * sizeof(double) +
+  return static_cast<std::size_t>(slots()) * (6 + wall_record_size) * sizeof(double) +
          sums_.bytes() + columns_.bytes() + 3 * built_position_[0].size() * sizeof(double) +
-         wall_.size() * sizeof(std::size_t);
+         (wall_.size() + order_.size()) * sizeof(std::size_t);
 }
 
 }  // namespace scarp

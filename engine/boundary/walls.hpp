@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,10 +15,13 @@
 #include "engine/cells/cell_grid.hpp"
 #include "engine/neighbours/neighbour_lists.hpp"
 #include "engine/particles/aligned_vector.hpp"
+#include "engine/particles/particle_buffers.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/sweep/records.hpp"
 
 namespace scarp {
+
+inline constexpr std::size_t no_wall = std::numeric_limits<std::size_t>::max();
 
 /// What dummy particles take over from the soil they touch.
 struct WallMaterial {
@@ -30,37 +34,39 @@ struct WallMaterial {
 class Walls {
  public:
   Walls() = default;
-  /// Dummies of the walls that stand, in Morton order.
+  /// Dummies of the walls that stand, then inner points, each in Morton order.
   Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size,
         double inverse_smoothing_length, double spacing);
 
   /// Dummies and inner points.
-  std::int64_t count() const { return static_cast<std::int64_t>(wall_.size()); }
-  std::int64_t slots() const { return slots_; }
-  PointSpan points() const;
-  SlotRange range() const { return {0, count()}; }
-  /// Inner points have no volume.
-  bool is_inner(std::int64_t dummy) const {
-    return columns_.is_inner(static_cast<std::size_t>(dummy));
-  }
-  std::int64_t dummy_count() const { return count() - columns_.count(); }
-  std::size_t wall_of(std::int64_t dummy) const { return wall_[static_cast<std::size_t>(dummy)]; }
+  std::int64_t count() const { return dummy_count_ + inner_count_; }
+  std::int64_t dummy_count() const { return dummy_count_; }
+  /// Slots hold dummies and padding, then inner points and padding. Inner points have no volume.
+  SlotRange dummies() const { return {0, dummy_count_}; }
+  SlotRange inner() const { return {dummy_slots(), dummy_slots() + inner_count_}; }
+  std::int64_t slots() const { return dummy_slots() + inner_slots(); }
+  std::int64_t dummy_slots() const { return padded(dummy_count_); }
+  std::int64_t inner_slots() const { return padded(inner_count_); }
+  PointSpan points() const { return points_from(0); }
+  PointSpan inner_points() const { return points_from(dummy_slots()); }
+  /// ... or `no_wall` of padding.
+  std::size_t wall_of(std::int64_t slot) const { return wall_[static_cast<std::size_t>(slot)]; }
 
   /// Moves the dummies of a wall.
   void move(std::size_t wall, const Vec3& step);
-  /// Puts the dummies at x of all, then y, then z.
+  /// Puts dummies and inner points, in one Morton order, at x of all, then y, then z.
   void move_to(std::span<const double> positions);
+  /// Where they stand, or stood when the lists were built, in the same form.
+  std::vector<double> positions() const { return in_order(position_); }
+  std::vector<double> built_positions() const {
+    return in_order(have_moved() ? built_position_ : position_);
+  }
   /// The lists have been built of the present positions; dummies of other clusters than these have
   /// no soil.
   void mark_built(std::span<const std::int32_t> clusters, int cluster_size);
   bool have_moved() const { return !built_position_[0].empty(); }
   /// Whether lists have been built of the present positions.
   bool stand_as_built() const { return stand_as_built_; }
-  const double* position(std::size_t axis) const { return position_[axis].data(); }
-  /// When the lists were built.
-  const double* built_position(std::size_t axis) const {
-    return (have_moved() ? built_position_ : position_)[axis].data();
-  }
 
   /// Which of the dummies in corners with free-slip faces stand now; when lists are built.
   void choose_standing(const Scene& scene, const WallSurface& surface, const WallPlacement& walls);
@@ -79,6 +85,8 @@ class Walls {
   std::size_t bytes() const;
 
  private:
+  PointSpan points_from(std::int64_t slot) const;
+  std::vector<double> in_order(const AlignedVector<double> (&from)[3]) const;
   void remember_built();
   void pack(Records& records, std::int64_t dummy, const WallMaterial& material,
             const std::vector<Vec3>& wall_velocity) const;
@@ -86,8 +94,9 @@ class Walls {
   void put_sums(Records& records, std::int64_t dummy, kernels::WallSums what,
                 const WallMaterial& material) const;
 
-  std::int64_t slots_ = 0;
+  std::int64_t dummy_count_ = 0, inner_count_ = 0;
   bool stand_as_built_ = false;
+  std::vector<std::size_t> order_;  ///< slots of dummies and inner points in one Morton order
   AlignedVector<double> position_[3];
   AlignedVector<double> built_position_[3];  ///< empty until something moves
   AlignedVector<double> velocity_[3];

@@ -44,13 +44,10 @@ void put_vectors(const Snapshot& from, std::string_view name, std::vector<Vec3>&
 }
 
 void take_dummies(Snapshot& out, std::string name, const Walls& walls, bool built) {
-  const auto count = static_cast<std::size_t>(walls.count());
-  std::vector<double> flat;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double* from = built ? walls.built_position(a) : walls.position(a);
-    flat.insert(flat.end(), from, from + count);
-  }
-  out.add({std::move(name), "m", {3, count}, std::move(flat)});
+  out.add({std::move(name),
+           "m",
+           {3, static_cast<std::size_t>(walls.count())},
+           built ? walls.built_positions() : walls.positions()});
 }
 
 void put_dummies(const Snapshot& from, std::string_view name, Walls& walls) {

@@ -137,7 +137,8 @@ struct Candidates {
 /// Lists of one chunk of superclusters, before they are put behind each other.
 struct ChunkLists {
   NeighbourBlocks blocks;
-  std::vector<std::int64_t> soil_size, wall_size;  ///< per cluster, in blocks
+  /// Per cluster, in blocks.
+  std::vector<std::int64_t> soil_size, wall_size, inner_size;
 };
 
 class ChunkBuilder {
@@ -161,27 +162,30 @@ class ChunkBuilder {
     const std::int64_t size = input_.cluster_size;
     for (std::int64_t first = begin; first < padded_end; first += size) {
       const auto members = static_cast<int>(std::clamp<std::int64_t>(valid_end - first, 0, size));
-      std::int64_t soil = 0, walls = 0;
-      if (members > 0) {
-        soil = add_list(first, members, false);
-        walls = add_list(first, members, true);
-      }
-      out_.soil_size.push_back(soil);
-      out_.wall_size.push_back(walls);
+      const auto add = [&](Part part) { return members > 0 ? add_list(first, members, part) : 0; };
+      out_.soil_size.push_back(add(Part::soil));
+      out_.wall_size.push_back(add(Part::dummies));
+      out_.inner_size.push_back(add(Part::inner));
     }
   }
 
  private:
+  /// Of a list.
+  enum class Part { soil, dummies, inner };
+  static Part part_of(Role role) {
+    if (role == Role::inner) return Part::inner;
+    return role == Role::dummy ? Part::dummies : Part::soil;
+  }
+
   void gather(std::int64_t begin, std::int64_t end) {
     for (std::size_t s = 0; s < candidates_.size(); ++s)
       candidates_[s].gather(input_.sources[s], input_, begin, end);
   }
 
-  /// The neighbours of a cluster that are dummies, or those that are not. Returns how many blocks
-  /// the list takes.
-  std::int64_t add_list(std::int64_t first, int members, bool dummies) {
+  /// One part of the list of a cluster. Returns how many blocks it takes.
+  std::int64_t add_list(std::int64_t first, int members, Part part) {
     for (std::size_t s = 0; s < candidates_.size(); ++s) {
-      if ((input_.sources[s].role == Role::dummy) == dummies) add(s, first, members);
+      if (part_of(input_.sources[s].role) == part) add(s, first, members);
     }
     const std::int64_t before = written_;
     out_.blocks.end_list();
@@ -263,6 +267,7 @@ void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, con
   });
   soil_begin_.assign(static_cast<std::size_t>(clusters + 1), 0);
   wall_begin_.resize(static_cast<std::size_t>(clusters));
+  inner_begin_.resize(static_cast<std::size_t>(clusters));
   far_record_ = static_cast<std::int32_t>(input.far_record);
   active_.clear();
   std::vector<std::int64_t> chunk_start;
@@ -272,7 +277,8 @@ void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, con
     chunk_start.push_back(total);
     for (std::size_t k = 0; k < chunk.soil_size.size(); ++k, ++cluster) {
       wall_begin_[cluster] = total + chunk.soil_size[k];
-      const std::int64_t end = wall_begin_[cluster] + chunk.wall_size[k];
+      inner_begin_[cluster] = wall_begin_[cluster] + chunk.wall_size[k];
+      const std::int64_t end = inner_begin_[cluster] + chunk.inner_size[k];
       if (end > total) active_.push_back(static_cast<std::int32_t>(cluster));
       soil_begin_[cluster + 1] = total = end;
     }
@@ -287,7 +293,8 @@ void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, con
 }
 
 std::size_t NeighbourLists::bytes() const {
-  return blocks_.bytes() + (soil_begin_.size() + wall_begin_.size()) * sizeof(std::int64_t);
+  return blocks_.bytes() +
+         (soil_begin_.size() + wall_begin_.size() + inner_begin_.size()) * sizeof(std::int64_t);
 }
 
 }  // namespace scarp

@@ -25,8 +25,8 @@ struct ParticleSource {
   std::vector<std::int64_t> fast = {};  ///< slots whose reach is wider, ascending
 };
 
-/// Lists of `ranges` of points (clusters never cross a range): all but the dummies in the order of
-/// the sources, then the dummies, the whole followed by two empty blocks.
+/// Lists of `ranges` of points (clusters never cross a range): soil and images in the order of the
+/// sources, then dummies, then inner points, the whole followed by two empty blocks.
 class NeighbourLists {
  public:
   struct Input {
@@ -47,7 +47,7 @@ class NeighbourLists {
 
   kernels::NeighbourView view() const {
     return {blocks_.page().data(), blocks_.place().data(), soil_begin_.data(),
-            wall_begin_.data(),    soil_begin_.data() + 1, far_record_};
+            wall_begin_.data(),    inner_begin_.data(),    far_record_};
   }
   std::int64_t clusters() const { return static_cast<std::int64_t>(wall_begin_.size()); }
   /// Clusters that have neighbours at all.
@@ -58,7 +58,7 @@ class NeighbourLists {
 
  private:
   NeighbourBlocks blocks_;
-  std::vector<std::int64_t> soil_begin_{0}, wall_begin_;
+  std::vector<std::int64_t> soil_begin_{0}, wall_begin_, inner_begin_;
   std::int32_t far_record_ = 0;
   std::vector<std::int32_t> active_;
 };

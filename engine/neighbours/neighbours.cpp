@@ -116,7 +116,7 @@ void build_lists(State& state) {
     state.neighbours.cells[role].build(state.threads, points, ranges_there, cell);
     add(role, points);
   };
-  const SlotRange all_images{0, images.count()}, dummies = walls.range();
+  const SlotRange all_images{0, images.count()}, dummies = walls.dummies(), inner = walls.inner();
   add(Role::owned, points_of(state.particles));
   build_cells(Role::ghost, points_of(state.ghosts), ghost_ranges);
   build_cells(Role::image, images.points(), {&all_images, 1});
@@ -135,15 +135,19 @@ void build_lists(State& state) {
     NeighbourLists::Input of_walls = input;
     of_walls.sources = sources;
     of_walls.points = walls.points();
-    of_walls.ranges = {&dummies, 1};
+    const SlotRange both[] = {dummies, inner};
+    of_walls.ranges = both;
     of_walls.fast = {};
     of_walls.slots = walls.slots();
     of_walls.cluster_size = state.kernels.table->cluster_size;
     state.neighbours.wall_lists.build(state.threads, *state.kernels.table, of_walls);
+    const SlotRange from_first{0, inner.end - inner.begin};
     if (walls.stand_as_built()) {
       add(Role::dummy, walls.points());
+      if (from_first.end > 0) add(Role::inner, walls.inner_points());
     } else {
       build_cells(Role::dummy, walls.points(), {&dummies, 1});
+      build_cells(Role::inner, walls.inner_points(), {&from_first, 1});
     }
   }
   input.sources = sources;
@@ -215,7 +219,8 @@ void rebuild_lists(State& state) {
 
 void fit_records(State& state) {
   if (state.sweep.records.layout()[Role::owned].slots == state.particles.slots()) return;
-  state.sweep.records = Records(state.particles.slots(), state.boundary.walls.slots());
+  state.sweep.records = Records(state.particles.slots(), state.boundary.walls.dummy_slots(),
+                                state.boundary.walls.inner_slots());
 }
 
 void deal_soil(State& state) {

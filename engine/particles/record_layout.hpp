@@ -11,9 +11,10 @@
 namespace scarp {
 
 /// What a particle is to a sweep: `owned` soil sums over its neighbours; `dummy` particles of walls
-/// and `ghost` soil, which somebody else owns, are only neighbours, and so are mirror images.
-enum class Role : std::size_t { owned, dummy, ghost, image };
-inline constexpr std::size_t role_count = 4;
+/// and `ghost` soil, which somebody else owns, are only neighbours, and so are mirror images and
+/// the `inner` points of walls, which have no volume: only gradients are summed over them.
+enum class Role : std::size_t { owned, dummy, inner, ghost, image };
+inline constexpr std::size_t role_count = 5;
 
 /// One value for each role.
 template <class T>

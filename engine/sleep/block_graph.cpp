@@ -22,7 +22,8 @@ class Collector {
     driven_ = false;
   }
   void add(const kernels::NeighbourView& lists, std::int64_t cluster) {
-    for (std::int64_t block = lists.soil_begin[cluster]; block < lists.wall_end[cluster]; ++block) {
+    for (std::int64_t block = lists.soil_begin[cluster]; block < lists.soil_begin[cluster + 1];
+         ++block) {
       for (std::int64_t k = 0; k < kernels::entry_block; ++k) {
         const std::uint16_t place = lists.place[block * kernels::entry_block + k];
         if (place != kernels::no_neighbour) add_record(lists.page[block] + std::int64_t{place});
@@ -40,7 +41,7 @@ class Collector {
     const Boundary& boundary = state_.boundary;
     if (record < layout_[Role::owned].end()) {
       add_slot(record);
-    } else if (record < layout_[Role::dummy].end()) {
+    } else if (record < layout_[Role::inner].end()) {
       note_wall(boundary.walls.wall_of(record - layout_[Role::dummy].first));
     } else if (record < far_) {
       const std::int64_t image = record - layout_[Role::image].first;

@@ -2,9 +2,11 @@
 /// Runs the chosen pair sweep over clusters, in chunks.
 #include "engine/sweep/pair_sweeps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <utility>
 
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
@@ -45,22 +47,32 @@ Instability flown_out_of_reach(const State& state, const double* records, std::i
   return found;
 }
 
-/// `soil` is what may be read of it: soil that sleeps and is no neighbour of these clusters may be
-/// left as it is. So may dummies that no soil reaches.
+/// `soil` is what may be read of it: soil that sleeps and is no neighbour of the swept clusters may
+/// be left as it is. So may dummies that no soil reaches, and without `inner` all inner points.
+RecordsRead records_read(const State& state, SlotRanges soil, bool inner) {
+  const RecordLayout& layout = state.sweep.records.layout();
+  const int size = state.kernels.table->cluster_size;
+  auto clusters = state.neighbours.wall_lists.active_clusters();
+  if (!inner) {
+    const auto end = std::lower_bound(clusters.begin(), clusters.end(),
+                                      state.boundary.walls.dummy_slots() / size);
+    clusters = clusters.first(static_cast<std::size_t>(end - clusters.begin()));
+  }
+  return {layout[Role::owned].slots, std::move(soil),
+          layout[Role::dummy].slots + layout[Role::inner].slots, clusters, size};
+}
+
 void run(const State& state, const SweepKernel& sweep, std::span<const std::int32_t> clusters,
-         const SlotRanges& soil, kernels::PairSweepView<double> view,
+         const RecordsRead& read, kernels::PairSweepView<double> view,
          NarrowRecords& narrow_records) {
   view.clusters = clusters.data();
   if (sweep.mixed == nullptr) {
     run(state, sweep.in_double, std::ssize(clusters), view);
     return;
   }
-  const RecordLayout& layout = state.sweep.records.layout();
-  const RecordsRead read{layout[Role::owned].slots, soil, layout[Role::dummy].slots,
-                         state.neighbours.wall_lists.active_clusters(),
-                         state.kernels.table->cluster_size};
+  const std::int64_t far_record = state.sweep.records.layout().far_record();
   const kernels::PairSweepView<float> narrow =
-      narrow_records.narrow(state.threads, view, layout.far_record(), read);
+      narrow_records.narrow(state.threads, view, far_record, read);
   if (const auto record = narrow_records.out_of_reach())
     throw SimulationInstability(flown_out_of_reach(state, view.records, *record));
   run(state, sweep.mixed, std::ssize(clusters), narrow);
@@ -95,8 +107,8 @@ void run_force_sweep(State& state, const ChosenSweep& sweep) {
     state.boundary.images.pack_second(state.threads, records, state.kernels.terms,
                                       state.scene.dimension);
   records.fill(view, marked);
-  run(state, marked ? sweep.whole : sweep.unmarked, swept_clusters(state), soil_read(state), view,
-      state.sweep.narrow_records);
+  run(state, marked ? sweep.whole : sweep.unmarked, swept_clusters(state),
+      records_read(state, soil_read(state), false), view, state.sweep.narrow_records);
 }
 
 }  // namespace
@@ -153,7 +165,7 @@ kernels::ParticleView particle_view(State& state, const kernels::ModelInfo& mode
 void sweep_gradient(State& state) {
   const bool verlet = state.scene.numerics.integrator == Integrator::verlet;
   run(state, state.kernels.gradient.whole, verlet ? swept_clusters(state) : awake_clusters(state),
-      soil_read(state), sweep_view(state), state.sweep.narrow_records);
+      records_read(state, soil_read(state), true), sweep_view(state), state.sweep.narrow_records);
 }
 void sweep_force(State& state) { run_force_sweep(state, state.kernels.force); }
 void sweep_all(State& state) {
@@ -167,7 +179,8 @@ void sweep_all(State& state) {
 
 void sweep_force_with(const State& state, std::span<const std::int32_t> clusters,
                       const kernels::PairSweepView<double>& view, NarrowRecords& narrow) {
-  run(state, state.kernels.force.whole, clusters, SlotRanges(), view, narrow);
+  run(state, state.kernels.force.whole, clusters, records_read(state, SlotRanges(), false), view,
+      narrow);
 }
 
 }  // namespace scarp

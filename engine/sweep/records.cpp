@@ -21,14 +21,15 @@ SymTensor<double> tensor_of(const double* const (&fields)[6], std::int64_t k) {
 
 }  // namespace
 
-Records::Records(std::int64_t owned_slots, std::int64_t dummy_slots) {
+Records::Records(std::int64_t owned_slots, std::int64_t dummy_slots, std::int64_t inner_slots) {
   layout_.resize(Role::owned, owned_slots);
   layout_.resize(Role::dummy, dummy_slots);
+  layout_.resize(Role::inner, inner_slots);
   resize(0, 0);
 }
 
 void Records::resize(std::int64_t ghosts, std::int64_t images) {
-  const std::int64_t kept = records_.empty() ? 0 : layout_[Role::dummy].end();
+  const std::int64_t kept = records_.empty() ? 0 : layout_[Role::inner].end();
   layout_.resize(Role::ghost, ghosts);
   layout_.resize(Role::image, images);
   records_.resize(static_cast<std::size_t>(layout_.records() * record_size));

@@ -37,8 +37,8 @@ kernels::SymTensor<double> inverse_moment(const double* const (&moment)[6], std:
 class Records {
  public:
   Records() = default;
-  /// Of so many slots of soil and of dummies, without ghosts and images.
-  Records(std::int64_t owned_slots, std::int64_t dummy_slots);
+  /// Of so many slots of soil, dummies and inner points, without ghosts and images.
+  Records(std::int64_t owned_slots, std::int64_t dummy_slots, std::int64_t inner_slots = 0);
 
   const RecordLayout& layout() const { return layout_; }
   /// Room for this many ghosts and images; what they hold is lost, that of the others stays.

@@ -71,17 +71,22 @@ constexpr bool is_sound(TermList<T...> list) {
 static_assert(is_sound(PairTerms{}) && PairTerms::size == term_count);
 static_assert(first_second<PairTerms, ForceCorrection> == corrected_extra);
 
-/// Whether a term is summed over pairs of soil, or of soil and dummies.
+/// Whether a term is summed over pairs of soil with these.
 template <class T>
-constexpr bool is_summed(bool wall) {
-  return T::acts_on == ActsOn::all || (T::acts_on == ActsOn::walls) == wall;
+constexpr bool is_summed(Neighbour neighbour) {
+  if (T::acts_on == ActsOn::all) return neighbour != Neighbour::inner;
+  return (T::acts_on == ActsOn::walls) == (neighbour != Neighbour::soil);
+}
+template <class... T>
+constexpr bool is_any_summed(TermList<T...>, TermSet set, Neighbour neighbour) {
+  return ((set.has(T::term) && is_summed<T>(neighbour)) || ...);
 }
 
-/// What the terms of a set want of a pair; between soil and dummies only those that act there.
+/// What the terms of a set want of a pair; only those that act there.
 template <class... T>
-constexpr PairNeeds needs_of(TermList<T...>, TermSet set, bool wall) {
+constexpr PairNeeds needs_of(TermList<T...>, TermSet set, Neighbour neighbour) {
   PairNeeds needs;
-  ((needs = set.has(T::term) && is_summed<T>(wall) ? needs | T::needs : needs), ...);
+  ((needs = set.has(T::term) && is_summed<T>(neighbour) ? needs | T::needs : needs), ...);
   return needs;
 }
 /// Whether any term of a set has values in the second line.
@@ -106,14 +111,14 @@ constexpr TermSet marked_terms(TermList<T...>) {
 /// Flops of one pair of soil in a sweep over these terms; the artificial stress counts as at work.
 template <class... T>
 constexpr int pair_flops(TermList<T...> list, int d, TermSet set) {
-  const PairNeeds needs = needs_of(list, set, false);
+  const PairNeeds needs = needs_of(list, set, Neighbour::soil);
   int flops = 3 * d + 16;           // offset, 1/r, slope of W, V_j grad W / r
   if (needs.densities) flops += 4;  // regularised denominator and densities
   if (needs.regularised && set.has(Term::diffusion)) flops += 2;  // the denominator by itself
   flops += 2 * d;                                                 // relative velocity, V_j grad W
   const TermSet approaching{Term::continuity, Term::viscosity, Term::hourglass_viscosity};
   if (!((set & approaching) == TermSet{})) flops += 2 * d - 1;  // approach
-  ((flops += set.has(T::term) && is_summed<T>(false) ? T::flops(d) : 0), ...);
+  ((flops += set.has(T::term) && is_summed<T>(Neighbour::soil) ? T::flops(d) : 0), ...);
   return flops;
 }
 

@@ -34,18 +34,18 @@ class ClusterSweep {
     }
   }
 
-  template <bool Wall>
+  template <Neighbour With>
   SCARP_INLINE void add_blocks(std::int64_t begin, std::int64_t end) {
     for (std::int64_t block = begin; block < end; ++block) {
       prefetch(block + prefetch_distance);  // lists end in empty blocks: this one exists
       const NeighbourBlock j(view_.neighbours, block);
       if constexpr (second) {
         if (is_marked(j)) {
-          add_block<Wall, true>(j);
+          add_block<With, true>(j);
           continue;
         }
       }
-      add_block<Wall, false>(j);
+      add_block<With, false>(j);
     }
   }
 
@@ -75,14 +75,14 @@ class ClusterSweep {
     }
   }
 
-  template <bool Wall, bool Marked>
+  template <Neighbour With, bool Marked>
   SCARP_INLINE void add_block(const NeighbourBlock& j) {
     Geometry pairs[stages];
     unrolled<stages>([&](auto s) SCARP_LAMBDA {
-      geometry<Wall, Marked>(j.record[2 * s], j.record[2 * s + 1], pairs[s]);
+      geometry<With, Marked>(j.record[2 * s], j.record[2 * s + 1], pairs[s]);
     });
     unrolled<stages>([&](auto s) SCARP_LAMBDA {
-      accumulate<Wall, Marked>(pairs[s], j.record[2 * s], j.record[2 * s + 1]);
+      accumulate<With, Marked>(pairs[s], j.record[2 * s], j.record[2 * s + 1]);
     });
   }
 
@@ -90,26 +90,26 @@ class ClusterSweep {
   template <bool Marked>
   static constexpr TermSet at_work = Marked ? Set : Set.without(marked_terms(List{}));
 
-  template <bool Wall, bool Marked>
+  template <Neighbour With, bool Marked>
   SCARP_INLINE void geometry(std::int32_t low, std::int32_t high, Geometry& pair) const {
     const RecordPair<Arch, Real> records(view_.records, low, high);
     const Quad where = records.template quad<record_x>();
     unrolled<Dim>([&](auto a) SCARP_LAMBDA {
       pair.offset[a] = position_difference<Arch>(own_.i.position[a], where(a));
     });
-    constexpr PairNeeds needs = needs_of(List{}, at_work<Marked>, Wall);
+    constexpr PairNeeds needs = needs_of(List{}, at_work<Marked>, With);
     complete_geometry<needs>(
         pair, where(constant<record_volume - record_x>),
         [&]() SCARP_LAMBDA { return own_.i.density + records.density(); }, view_.constants);
   }
 
-  template <bool Wall, bool Marked>
+  template <Neighbour With, bool Marked>
   SCARP_INLINE void accumulate(const Geometry& geometry, std::int32_t low, std::int32_t high) {
-    PairValues<Arch, Real, Dim, needs_of(List{}, at_work<Marked>, Wall),
-               needs_of(List{}, at_work<Marked>, Wall).densities, List, Sums>
+    PairValues<Arch, Real, Dim, needs_of(List{}, at_work<Marked>, With),
+               needs_of(List{}, at_work<Marked>, With).densities, List, Sums>
         pair(view_, own_.i, geometry, low, high, sums_);
     sums_.each([&]<class T>(const T&, auto& sum) SCARP_LAMBDA {
-      if constexpr (at_work<Marked>.has(T::term) && is_summed<T>(Wall)) sum.add(pair);
+      if constexpr (at_work<Marked>.has(T::term) && is_summed<T>(With)) sum.add(pair);
     });
   }
 
@@ -137,9 +137,13 @@ void pair_sweep(const PairSweepView<Real>& view, std::int64_t begin, std::int64_
   for (std::int64_t n = begin; n < end; ++n) {
     const std::int64_t cluster = view.clusters[n];
     ClusterSweep<Arch, Real, Dim, Set, List> sweep(view, cluster);
-    sweep.template add_blocks<false>(lists.soil_begin[cluster], lists.wall_begin[cluster]);
-    if (lists.wall_begin[cluster] != lists.wall_end[cluster])
-      sweep.template add_blocks<true>(lists.wall_begin[cluster], lists.wall_end[cluster]);
+    const std::int64_t walls = lists.wall_begin[cluster], inner = lists.wall_end[cluster],
+                       last = lists.soil_begin[cluster + 1];
+    sweep.template add_blocks<Neighbour::soil>(lists.soil_begin[cluster], walls);
+    if (walls != inner) sweep.template add_blocks<Neighbour::dummy>(walls, inner);
+    if constexpr (is_any_summed(List{}, Set, Neighbour::inner)) {
+      if (inner != last) sweep.template add_blocks<Neighbour::inner>(inner, last);
+    }
     sweep.store();
   }
 }

@@ -73,6 +73,7 @@ void add_gradients(const ReferenceParticles& p, const ReferenceSettings& s, std:
 void add_forces(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
                 std::size_t j, const Vector& velocity, const Vector& distance,
                 const Vector& gradient, ReferenceRate& rate) {
+  if (p.volume[j] == 0.0) return;  // an inner point of a wall
   const double mass = p.volume[j] * p.density[j];
   double approach_rate = 0.0;
   const double pi = viscosity(p, s, i, j, velocity, distance, approach_rate);

@@ -110,7 +110,9 @@ struct DampingRate {
   double approach = 0.0;  ///< b
 };
 
-/// Which pairs of a soil particle a term is summed over.
+/// What a particle of soil meets: soil or images, dummies, inner points of walls without a volume.
+enum class Neighbour { soil, dummy, inner };
+/// Which pairs of a soil particle a term is summed over; only terms of `walls` of inner points.
 enum class ActsOn { all, soil, walls };
 
 /// How the values of a term in the second record line turn under reflection; not at all where they

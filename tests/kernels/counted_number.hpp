@@ -96,7 +96,7 @@ int flops_of_terms(kernels::TermList<T...>, kernels::TermSet set, CountedPair<Di
   (
       [&] {
         typename T::template Sums<Counted, Dim> sums;
-        if (set.has(T::term) && kernels::is_summed<T>(false)) sums.add(pair);
+        if (set.has(T::term) && kernels::is_summed<T>(kernels::Neighbour::soil)) sums.add(pair);
       }(),
       ...);
   return Counted::flops;
@@ -105,7 +105,8 @@ int flops_of_terms(kernels::TermList<T...>, kernels::TermSet set, CountedPair<Di
 /// Flops of one pair of soil for these terms, from what they do.
 template <int Dim>
 int counted_flops(kernels::TermSet set) {
-  const kernels::PairNeeds needs = kernels::needs_of(kernels::PairTerms{}, set, false);
+  const kernels::PairNeeds needs =
+      kernels::needs_of(kernels::PairTerms{}, set, kernels::Neighbour::soil);
   CountedPair<Dim> pair;
   pair.densities = needs.densities;
   Counted::flops = Dim;  // relative velocity

@@ -88,6 +88,14 @@ void expect_rates(const std::vector<ReferenceRate>& expected, SweepOutput& out,
   }
 }
 
+/// Every fourth dummy is an inner point, without a volume: only terms of walls are summed over it.
+ReferenceParticles with_inner_points(ReferenceParticles p) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    if (p.is_wall(k) && k % 4 == 0) p.volume[k] = 0.0;
+  }
+  return p;
+}
+
 /// Particles without the parts that a variant does not use.
 std::vector<ReferenceRate> reference_for(ReferenceParticles p, ReferenceSettings s, TermSet terms) {
   s.corrected = packing_for(terms) != Packing::plain;
@@ -103,7 +111,7 @@ class PairSweepTest : public testing::TestWithParam<SweepCase> {
  protected:
   const int dimension_ = std::get<1>(GetParam());
   const ReferenceSettings settings_ = settings_for(std::get<0>(GetParam()), dimension_);
-  const ReferenceParticles particles_ = random_block(block_for(dimension_), 7);
+  const ReferenceParticles particles_ = with_inner_points(random_block(block_for(dimension_), 7));
   // Largest error of the fit of F^n for n = 2.55 (artificial_stress_test holds it to this).
   const double fit_error_ = std::get<0>(GetParam()) == ReferenceSmoothing::yang_liu       ? 2e-7
                             : std::get<0>(GetParam()) == ReferenceSmoothing::cubic_spline ? 7e-6

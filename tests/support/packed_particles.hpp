@@ -203,9 +203,14 @@ class PackedParticles {
   }
 
   void build_lists(const kernels::ReferenceParticles& p) {
-    const auto append = [&](PackedLists& lists, std::size_t first, std::size_t count, bool walls) {
+    const auto part_of = [&](std::size_t j) {
+      if (!p.is_wall(j)) return kernels::Neighbour::soil;
+      return p.volume[j] > 0.0 ? kernels::Neighbour::dummy : kernels::Neighbour::inner;
+    };
+    const auto append = [&](PackedLists& lists, std::size_t first, std::size_t count,
+                            kernels::Neighbour part) {
       for (std::size_t j = 0; j < p.size(); ++j) {
-        if (p.is_wall(j) != walls) continue;
+        if (part_of(j) != part) continue;
         bool near = false;
         for (std::size_t i = first; i < first + count; ++i) {
           double squared = 0.0;
@@ -224,18 +229,21 @@ class PackedParticles {
     for (std::size_t i = 0; i < static_cast<std::size_t>(first_wall_); i += size) {
       const std::size_t count = std::min(size, soil_count_ - i);
       lists_.soil_begin.push_back(lists_.blocks.size());
-      append(lists_, i, count, false);
+      append(lists_, i, count, kernels::Neighbour::soil);
       lists_.wall_begin.push_back(lists_.blocks.size());
-      append(lists_, i, count, true);
+      append(lists_, i, count, kernels::Neighbour::dummy);
       lists_.wall_end.push_back(lists_.blocks.size());
+      append(lists_, i, count, kernels::Neighbour::inner);
     }
     for (std::size_t i = 0; i < wall_count_; i += size) {
       wall_lists_.soil_begin.push_back(wall_lists_.blocks.size());
-      append(wall_lists_, soil_count_ + i, std::min(size, wall_count_ - i), false);
+      append(wall_lists_, soil_count_ + i, std::min(size, wall_count_ - i),
+             kernels::Neighbour::soil);
       wall_lists_.wall_begin.push_back(wall_lists_.blocks.size());
       wall_lists_.wall_end.push_back(wall_lists_.blocks.size());
     }
     for (PackedLists* lists : {&lists_, &wall_lists_}) {
+      lists->soil_begin.push_back(lists->blocks.size());
       lists->blocks.append_empty(2);
       lists->far_record = static_cast<std::int32_t>(far_record_);
     }

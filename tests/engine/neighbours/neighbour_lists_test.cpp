@@ -69,13 +69,16 @@ class NeighbourListsTest : public testing::TestWithParam<std::pair<std::int32_t,
 
 TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
   const auto [first_soil, first_wall] = GetParam();
-  const Points soil = random_points(777, 5), walls = random_points(300, 6);
-  CellGrid soil_grid, wall_grid;
+  const Points soil = random_points(777, 5), walls = random_points(300, 6),
+               inner = random_points(200, 7);
+  const std::int32_t first_inner = first_wall + 304;
+  CellGrid soil_grid, wall_grid, inner_grid;
   const SlotRange soil_ranges[] = {{0, 400}, {400, 777}};
-  const SlotRange wall_range{0, 300};
+  const SlotRange wall_range{0, 300}, inner_range{0, 200};
   const double reach = 0.9;
   soil_grid.build(1, soil.span(), soil_ranges, 0.5 * reach);
   wall_grid.build(1, walls.span(), {&wall_range, 1}, 0.5 * reach);
+  inner_grid.build(1, inner.span(), {&inner_range, 1}, 0.5 * reach);
   for (const kernels::Isa isa : kernels::available_isas()) {
     const kernels::KernelTable& table = kernels::kernels_of(isa);
     NeighbourLists::Input input;
@@ -83,7 +86,8 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
     input.ranges = soil_ranges;
     input.slots = 784;
     const ParticleSource sources[] = {{Role::owned, &soil_grid, soil.span(), first_soil},
-                                      {Role::dummy, &wall_grid, walls.span(), first_wall}};
+                                      {Role::dummy, &wall_grid, walls.span(), first_wall},
+                                      {Role::inner, &inner_grid, inner.span(), first_inner}};
     input.sources = sources;
     input.far_record = 3 * kernels::page_size;
     input.reach = reach;
@@ -97,6 +101,8 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
           records_in(view, view.soil_begin[cluster], view.wall_begin[cluster]);
       const std::multiset<std::int32_t> near_walls =
           records_in(view, view.wall_begin[cluster], view.wall_end[cluster]);
+      const std::multiset<std::int32_t> near_inner =
+          records_in(view, view.wall_end[cluster], view.soil_begin[cluster + 1]);
       const auto expect_listed = [&](const Points& others, std::int32_t count, std::int32_t first,
                                      const std::multiset<std::int32_t>& listed) {
         for (std::int32_t j = 0; j < count; ++j) {
@@ -110,9 +116,11 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
       };
       expect_listed(soil, 777, first_soil, near_soil);
       expect_listed(walls, 300, first_wall, near_walls);
+      expect_listed(inner, 200, first_inner, near_inner);
       // Records of a page stand together, and both sets lie in two pages at most.
       EXPECT_LE(padded_blocks(view, view.soil_begin[cluster], view.wall_begin[cluster]), 2);
       EXPECT_LE(padded_blocks(view, view.wall_begin[cluster], view.wall_end[cluster]), 2);
+      EXPECT_LE(padded_blocks(view, view.wall_end[cluster], view.soil_begin[cluster + 1]), 2);
     }
   }
 }

@@ -149,6 +149,8 @@ void build_lists(State& state) {
       build_cells(Role::dummy, walls.points(), {&dummies, 1});
       build_cells(Role::inner, walls.inner_points(), {&from_first, 1});
     }
+  } else {
+    state.neighbours.wall_lists = NeighbourLists();  // of walls that have gone
   }
   input.sources = sources;
   state.neighbours.lists.build(state.threads, *state.kernels.table, input);

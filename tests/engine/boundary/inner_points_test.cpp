@@ -84,5 +84,20 @@ TEST(InnerPointsTest, GradientsAre) {
   }
 }
 
+TEST(InnerPointsTest, ListsOfWallsThatHaveGoneAreEmpty) {
+  Scene scene = scene_of(2, Precision::mixed);
+  scene.walls[0].removed_at = "fail";
+  State state = make_state(scene, {1, {}});
+  const StepPhases phases = phases_of(scene.numerics.integrator, state.kernels.corrects_forces());
+  for (const Phase& one : phases.stage_start) one.run(state);
+  for (const Phase& one : phases.step) one.run(state);
+  EXPECT_FALSE(state.neighbours.wall_lists.active_clusters().empty());
+  state.stage.ended = true;
+  for (const Phase& one : phases.stage_start) one.run(state);
+  for (const Phase& one : phases.step) one.run(state);
+  ASSERT_EQ(state.boundary.walls.count(), 0);
+  EXPECT_TRUE(state.neighbours.wall_lists.active_clusters().empty());
+}
+
 }  // namespace
 }  // namespace scarp::test

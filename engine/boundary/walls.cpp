@@ -3,9 +3,11 @@
 #include "engine/boundary/walls.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <type_traits>
 
+#include "engine/cells/compact_clusters.hpp"
 #include "engine/parallel.hpp"
 #include "kernels/pair/force_correction.hpp"
 #include "kernels/pair/wall_gradient.hpp"
@@ -14,19 +16,48 @@ namespace scarp {
 
 using namespace kernels;
 
+namespace {
+
+/// Dummies in the order of `order`, one layer behind another, then inner points; of each layer
+/// those side by side share clusters. Deep layers see less soil than those at the face, and often
+/// none.
+std::vector<std::int32_t> by_layer(std::vector<std::int32_t> order, const PointSpan& points,
+                                   std::span<const double> distance, double spacing) {
+  const auto layer = [&](std::int32_t n) {
+    const double behind = distance[static_cast<std::size_t>(n)];
+    return behind > 0.0 ? std::floor(behind / spacing) : std::numeric_limits<double>::infinity();
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::int32_t a, std::int32_t b) { return layer(a) < layer(b); });
+  for (auto begin = order.begin(); begin != order.end();) {
+    const double here = layer(*begin);
+    const auto end =
+        std::find_if(begin, order.end(), [&](std::int32_t n) { return layer(n) != here; });
+    // Clusters of any instruction set are two or more of these.
+    compact_clusters(1, points, 2, {begin, end});
+    begin = end;
+  }
+  return order;
+}
+
+}  // namespace
+
 Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double cell_size,
              double inverse_smoothing_length, double spacing) {
   std::vector<std::size_t> kept;
   AlignedVector<double> axes[3];
+  std::vector<double> distance;
   for (std::size_t k = 0; k < dummies.wall.size(); ++k) {
     if (!stands[dummies.wall[k]]) continue;
     kept.push_back(k);
     for (std::size_t a = 0; a < 3; ++a) axes[a].push_back(dummies.position[k][a]);
+    distance.push_back(dummies.distance[k]);
     ++(dummies.distance[k] > 0.0 ? dummy_count_ : inner_count_);
   }
   CellGrid grid;
   const SlotRange all{0, std::ssize(kept)};
-  grid.build(1, {axes[0].data(), axes[1].data(), axes[2].data()}, {&all, 1}, cell_size);
+  const PointSpan standing{axes[0].data(), axes[1].data(), axes[2].data()};
+  grid.build(1, standing, {&all, 1}, cell_size);
   const auto size = static_cast<std::size_t>(slots());
   for (auto* components : {position_, velocity_}) {
     for (std::size_t a = 0; a < 3; ++a) components[a].assign(size, 0.0);
@@ -37,7 +68,8 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
   standing_.assign(size, 0.0);
   std::vector<std::size_t> place(dummies.wall.size(), no_column);
   std::size_t next_dummy = 0, next_inner = static_cast<std::size_t>(dummy_slots());
-  for (const std::int32_t n : grid.order()) {
+  const auto order = grid.order();
+  for (const std::int32_t n : by_layer({order.begin(), order.end()}, standing, distance, spacing)) {
     const std::size_t source = kept[static_cast<std::size_t>(n)];
     const bool is_dummy = dummies.distance[source] > 0.0;
     const std::size_t k = is_dummy ? next_dummy++ : next_inner++;
@@ -50,8 +82,8 @@ Walls::Walls(const WallDummies& dummies, const std::vector<bool>& stands, double
     wall_[k] = dummies.wall[source];
     standing_[k] = is_dummy ? 1.0 : 0.0;
     place[source] = k;
-    order_.push_back(k);
   }
+  for (const std::int32_t n : order) order_.push_back(place[kept[static_cast<std::size_t>(n)]]);
   columns_ = WallColumns(dummies, place, size, inverse_smoothing_length, spacing);
   corner_reach_ = dummies.corner_reach;
   for (const SmoothCorner& corner : dummies.beside_smooth) {

@@ -54,10 +54,17 @@ std::size_t DummySums::bytes() const {
 WallColumns::WallColumns(const WallDummies& dummies, std::span<const std::size_t> place,
                          std::size_t slots, double inverse_smoothing_length, double spacing)
     : spacing_(spacing * inverse_smoothing_length) {
-  std::vector<std::size_t> number(dummies.columns.size(), no_column);
+  // In the order of their first dummies, so that sums are read one after the other.
+  std::vector<std::size_t> standing;
   for (std::size_t c = 0; c < dummies.columns.size(); ++c) {
+    if (place[dummies.columns[c].first] != no_column) standing.push_back(c);
+  }
+  std::sort(standing.begin(), standing.end(), [&](std::size_t a, std::size_t b) {
+    return place[dummies.columns[a].first] < place[dummies.columns[b].first];
+  });
+  std::vector<std::size_t> number(dummies.columns.size(), no_column);
+  for (const std::size_t c : standing) {
     const WallColumn& column = dummies.columns[c];
-    if (place[column.first] == no_column) continue;
     number[c] = columns_.size();
     columns_.push_back(
         {.first = place[column.first], .inner = place[column.inner], .begin = 0, .end = 0});

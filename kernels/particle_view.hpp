@@ -80,8 +80,8 @@ enum WallSlot {
 /// Blocks [soil_begin[c], wall_begin[c]) hold soil and images, [wall_begin[c], wall_end[c])
 /// dummies, [wall_end[c], soil_begin[c + 1]) inner points of walls, which have no volume.
 struct NeighbourView {
-  const std::int32_t* page;    ///< by block: first record of its page
-  const std::uint16_t* place;  ///< by entry, entry_block to a block
+  const std::int32_t* page;        ///< by block: first record of its page
+  const std::uint16_t* place;      ///< by entry, entry_block to a block
   const std::int64_t* soil_begin;  ///< clusters and one more
   const std::int64_t* wall_begin;
   const std::int64_t* wall_end;

@@ -65,6 +65,11 @@ std::vector<UsedFeature> used_features(const State& state) {
            std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
                        [](const Wall& w) { return w.kind == WallKind::free_slip; }),
        "soil near free-slip walls is mirrored"},
+      {"relaxed packing", state.packing.moved > 0,
+       state.packing.moved > 0
+           ? fmt::format("{} particles near walls off the lattice; sum V grad W {:.2g}/dx",
+                         state.packing.moved, state.packing.residual)
+           : "at the start only, where walls do not meet the lattice"},
       {"moving walls",
        std::any_of(state.scene.walls.begin(), state.scene.walls.end(),
                    [](const Wall& w) { return w.velocity != Vec3{}; }),

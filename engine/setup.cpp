@@ -10,16 +10,14 @@
 
 #include <fmt/format.h>
 
-#include "engine/boundary/wall_clearance.hpp"
 #include "engine/boundary/wall_joints.hpp"
 #include "engine/errors.hpp"
+#include "engine/initial_soil.hpp"
 #include "engine/integrate/lattice_sums.hpp"
 #include "engine/isa_names.hpp"
 #include "engine/parallel.hpp"
-#include "engine/particles/generate.hpp"
 #include "engine/particles/probe_particles.hpp"
 #include "engine/particles/shared_inertia.hpp"
-#include "engine/particles/soil_above.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/stop.hpp"
 #include "kernels/smoothing/list.hpp"
@@ -90,8 +88,10 @@ ParticleKind kind_of(const Scene& scene, std::size_t material, double mass_scali
       volume,   of.density * volume, mass_scaling};
 }
 
-void fill_particles(State& state, const Particles& soil) {
+void fill_particles(State& state, const InitialSoil& initial) {
   const Scene& scene = state.scene;
+  const Particles& soil = initial.particles;
+  const std::vector<SoilAbove>& above = initial.above;
   const int dimension = scene.dimension;
   std::vector<ParticleGroup> groups;
   std::int64_t first = 0;
@@ -105,9 +105,6 @@ void fill_particles(State& state, const Particles& soil) {
   state.particles =
       ParticleBuffers(dimension, groups, used_fields(scene, state.kernels), history_rows(scene));
   ParticleBuffers& p = state.particles;
-  std::vector<SoilAbove> above;
-  if (scene.initial_stress == InitialStress::geostatic && soil.stress.empty())
-    above = soil_above(scene, soil, state.threads);
   state.start_is_geostatic = !above.empty();
   const Vec3 up = upward(scene);
   for (const ParticleGroup& group : groups) {
@@ -283,23 +280,22 @@ State make_state(Scene scene, const RunOptions& options, const Particles* partic
   }
   state.scaling.scales_mass = scales_mass(state.scene);
   set_pair_constants(state);
-  const Particles soil =
-      completed(state.scene,
-                particles != nullptr ? *particles : generate_soil(state.scene, state.options.stop));
-  check_wall_clearance(state.scene, soil, state.options.stop);
+  InitialSoil initial = drawn_soil(state, particles);
   state.boundary.surface = WallSurface(state.scene);
   state.boundary.dummies = generate_dummies(state.scene, state.options.stop);
   state.boundary.offset.assign(state.scene.walls.size(), Vec3{});
   state.boundary.stands.assign(state.scene.walls.size(), true);
   state.boundary.velocity.assign(state.scene.walls.size(), Vec3{});
   state.boundary.hold_force.assign(state.scene.walls.size(), Vec3{});
-  fill_particles(state, soil);
+  if (particles == nullptr) pack_at_walls(state, initial);
+  fill_particles(state, initial);
   state.soil_count = static_cast<std::size_t>(state.particles.count());
   state.soil_mass = state.particles.mass();
   look_at_all_soil(state);
   stop_if_asked(state.options.stop);
   place_walls(state);
   stop_if_asked(state.options.stop);
+  const Particles& soil = initial.particles;
   for (const Probe& probe : state.scene.probes) {
     const ChosenParticle chosen = particle_of_probe(state.scene, soil, probe);
     state.probe_particles.push_back(

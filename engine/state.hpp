@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/boundary/boundary.hpp"
+#include "engine/boundary/relaxed_packing.hpp"
 #include "engine/energy/energy.hpp"
 #include "engine/integrate/integrate.hpp"
 #include "engine/neighbours/neighbours.hpp"
@@ -38,6 +39,7 @@ struct State {
   ParticleBuffers particles;
   ParticleBuffers ghosts;      ///< soil near the own that somebody else moves; neighbours only
   DataSet changed;             ///< fields of the soil of which ghosts elsewhere may be outdated
+  RelaxedPacking packing;      ///< of the soil when it was made
   std::size_t soil_count = 0;  ///< of all parts
   double soil_mass = 0.0;      ///< of all parts [kg]
   RecordScaling scaling;

@@ -126,6 +126,18 @@ void MirrorImages::sort_by_generation() {
   }
 }
 
+void MirrorImages::follow(const PointSpan& soil) {
+  for (std::size_t g = 0; g < images_.size(); ++g) {
+    const Image& image = images_[g];
+    const bool of_image = image.source < 0;
+    const PointSpan from = of_image ? points() : soil;
+    const std::int64_t k = of_image ? -1 - image.source : image.source;
+    const Vec3 x{from.x[k], from.y[k], from.z[k]};
+    const double distance = dot(geometry::minus(x, image.origin), image.normal);
+    for (std::size_t a = 0; a < 3; ++a) position_[a][g] = x[a] - 2.0 * distance * image.normal[a];
+  }
+}
+
 std::vector<std::int64_t> MirrorImages::fast() const {
   std::vector<std::int64_t> found;
   for (std::int64_t k = 0; k < count(); ++k) {

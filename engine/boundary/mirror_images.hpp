@@ -47,6 +47,9 @@ class MirrorImages {
   void select(int threads, const Mirrored& mirrored, const Soil& own, const Soil& ghosts,
               double close, const FastGrains& fast);
 
+  /// The places of the images after their soil has moved; walls stand where they stood.
+  void follow(const PointSpan& soil);
+
   std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
   PointSpan points() const {
     return {position_[0].data(), position_[1].data(), position_[2].data()};

@@ -2,18 +2,14 @@
 /// Rows of weak particles and what lies beside them on the lattice.
 #include "engine/particles/weak_seams.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
+
+#include "engine/particles/lattice_places.hpp"
 
 namespace scarp {
 namespace {
-
-using Site = std::array<std::int64_t, 3>;
 
 bool is_weaker(const Material& one, const Material& other) {
   const std::optional<kernels::CoulombStrength> a = one.model.strength(),
@@ -23,36 +19,6 @@ bool is_weaker(const Material& one, const Material& other) {
   return a->cohesion <= b->cohesion && a->friction_angle <= b->friction_angle &&
          (a->cohesion < b->cohesion || a->friction_angle < b->friction_angle);
 }
-
-/// Particles by their place on the lattice.
-class Places {
- public:
-  Places(const Particles& soil, const Vec3& origin, double spacing)
-      : origin_(origin), spacing_(spacing) {
-    for (std::size_t k = 0; k < soil.position.size(); ++k)
-      sites_.push_back({site_of(soil.position[k]), k});
-    std::sort(sites_.begin(), sites_.end());
-  }
-
-  Site site_of(const Vec3& position) const {
-    Site site{};
-    for (std::size_t a = 0; a < 3; ++a)
-      site[a] = std::llround((position[a] - origin_[a]) / spacing_ - 0.5);
-    return site;
-  }
-
-  std::optional<std::size_t> at(const Site& site) const {
-    const auto found =
-        std::lower_bound(sites_.begin(), sites_.end(), std::pair{site, std::size_t{}});
-    if (found == sites_.end() || found->first != site) return {};
-    return found->second;
-  }
-
- private:
-  Vec3 origin_;
-  double spacing_;
-  std::vector<std::pair<Site, std::size_t>> sites_;
-};
 
 }  // namespace
 
@@ -67,7 +33,7 @@ void widen_weak_seams(const Scene& scene, const Vec3& origin, Particles& soil) {
     }
   }
   if (!any) return;
-  const Places places(soil, origin, scene.spacing);
+  const LatticePlaces places(soil.position, origin, scene.spacing);
   const std::vector<std::size_t> drawn = soil.material;
   const auto stronger_at = [&](const Site& site, std::size_t than) {
     const std::optional<std::size_t> k = places.at(site);

@@ -112,6 +112,8 @@ inline constexpr NumericsRow numerics_list[] = {
         "force_correction", false,
         "force conjugate to the corrected gradient, rough walls led by their stress; acts with "
         "`gradient_correction`"),
+    detail::truth<&Numerics::relaxed_packing>(
+        "relaxed_packing", false, "pack the soil anew beside walls that the lattice does not meet"),
     detail::choice<&Numerics::stress_rotation>("stress_rotation", StressRotation::jaumann,
                                                "rotation of the stress with the soil"),
     detail::number<&Numerics::viscosity_alpha>("viscosity_alpha", {0.0, 100.0}, 0.1, "-",

@@ -61,6 +61,7 @@ struct Numerics {
   bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
   bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
   bool force_correction = true;  ///< ... and the force, conjugate to it; walls by their average
+  bool relaxed_packing = true;   ///< soil beside walls off the lattice is packed anew
   StressRotation stress_rotation = StressRotation::hughes_winget;
   double viscosity_alpha = 0.1;      ///< Eq. 26 [-]
   double viscosity_beta = 0.0;       ///< Eq. 26 [-]

@@ -17,6 +17,7 @@ constexpr double dx = 0.1, g = 9.81, mass = 2000.0 * dx * dx;  // of a grain [kg
 /// A grain of soil without strength, at `height` and with a vertical speed.
 Scene grain(const std::string& preset_name, double height, double speed, double damping) {
   Scene scene = elastic_column(preset_name, 1.0, dx);
+  scene.numerics.relaxed_packing = false;  // it begins where it is drawn, in the floor
   scene.materials = {
       {"sand", DruckerPrager{10e6, 0.3, 0.0, 0.52, 0.0, Cone::plane_strain}, 2000.0}};
   const double low = height - 0.5 * dx;

@@ -161,6 +161,7 @@ TEST(FaceTest, AGrainAtRestWeighsWhatItWeighs) {
     for (const double damping : {0.0, 200.0}) {
       Scene scene = thrown_grain(preset_name, {0.0, 10e6});
       scene.bodies = {{.shape = Box{{0, -0.03, 0}, {0.1, 0.07, 0}}}};  // its centre below dx/4
+      scene.numerics.relaxed_packing = false;
       scene.stages[0].damping = damping;
       Simulation simulation(scene, {1, {}});
       for (int k = 0; k < 100; ++k) {

@@ -279,6 +279,8 @@ State make_state(Scene scene, const RunOptions& options, const Particles* partic
                                          material.mass_scaling);
   }
   state.scaling.scales_mass = scales_mass(state.scene);
+  if (state.kernels.terms.has(kernels::Term::diffusion))
+    state.scaling.alike = first_alike(state.scene.materials);
   set_pair_constants(state);
   InitialSoil initial = drawn_soil(state, particles);
   state.boundary.surface = WallSurface(state.scene);

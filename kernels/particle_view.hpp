@@ -124,10 +124,12 @@ struct PairConstants {
 /// SI; a null pointer leaves one out.
 template <class Real>
 struct PairSweepView {
-  const Real* records;           ///< soil, dummies, mirror images, far record; x record_size
-  const Real* second;            ///< second lines, x second_record_size; null: no term reads them
-  const Real* extra;             ///< extra lines, x extra_record_size; null: no term reads them
-  const std::uint8_t* marked;    ///< 1 where the second line is not zero
+  const Real* records;         ///< soil, dummies, mirror images, far record; x record_size
+  const Real* second;          ///< second lines, x second_record_size; null: no term reads them
+  const Real* extra;           ///< extra lines, x extra_record_size; null: no term reads them
+  const std::uint8_t* marked;  ///< 1 where the second line is not zero
+  /// By record of soil its material, alike ones as one; each cluster has one. Null: all are alike.
+  const std::int32_t* material;
   const std::int32_t* clusters;  ///< the active ones
   NeighbourView neighbours;
   PairConstants<Real> constants;

@@ -165,6 +165,12 @@ void MirrorImages::copy_density(int threads, Records& records) const {
   });
 }
 
+void MirrorImages::copy_material(Records& records) const {
+  const std::int64_t first = records.layout()[Role::image].first;
+  for (std::int64_t g = 0; g < count(); ++g)
+    records.material(first + g) = records.material(soil_of(g));
+}
+
 void MirrorImages::pack_second(int threads, Records& records, kernels::TermSet terms,
                                int dimension) const {
   const std::int64_t first = records.layout()[Role::image].first;

@@ -80,6 +80,8 @@ class MirrorImages {
                       const ParticleBuffers& soil, const ParticleBuffers& ghosts) const;
   /// Second lines of the images from those of their sources.
   void pack_second(int threads, Records& records, kernels::TermSet terms, int dimension) const;
+  /// Notes that each image is of the material of its soil.
+  void copy_material(Records& records) const;
   /// The density of the record of each source into that of its image.
   void copy_density(int threads, Records& records) const;
   std::size_t bytes() const {

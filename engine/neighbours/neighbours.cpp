@@ -71,6 +71,15 @@ void build_soil_cells(State& state, const std::vector<SlotRange>& ranges) {
                                             0.5 * list_reach(state));
 }
 
+void put_material(State& state) {
+  const std::vector<std::int32_t>& alike = state.scaling.alike;
+  if (alike.empty()) return;
+  Records& records = state.sweep.records;
+  records.put_material(Role::owned, state.particles, alike);
+  records.put_material(Role::ghost, state.ghosts, alike);
+  state.boundary.images.copy_material(records);
+}
+
 /// Dummies in reach of a particle take their stress from soil in reach of theirs; an inner point
 /// (B6) takes it from soil that its column sees: half a spacing more for soil at the face.
 double reach_through_walls(const Scene& scene, double reach) {
@@ -102,6 +111,7 @@ void build_lists(State& state) {
   const MirrorImages& images = state.boundary.images;
   Walls& walls = state.boundary.walls;
   state.sweep.records.resize(state.ghosts.slots(), images.count());
+  put_material(state);
   std::vector<ParticleSource> sources;
   const FastGrains& fast = state.neighbours.fast;
   const auto add = [&](Role role, const PointSpan& points) {

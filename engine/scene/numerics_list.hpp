@@ -134,7 +134,8 @@ inline constexpr NumericsRow numerics_list[] = {
         "auto"),
     detail::number<&Numerics::stress_diffusion>(
         "stress_diffusion", {0.0, 1.0}, 0.0, "h c",
-        "cap of the diffusivity; 0 leaves it out; elastic materials have none"),
+        "cap of the diffusivity; 0 leaves it out; acts between neighbours that yield and have the "
+        "same moduli"),
     detail::number<&Numerics::diffusion_shear_gate>("diffusion_shear_gate", {0.0, 1e6}, 20.0, "h^2",
                                                     "diffusivity per shear rate"),
     detail::choice<&Numerics::integrator>(

@@ -32,6 +32,21 @@ static_assert(know_all_fields());
 
 }  // namespace
 
+std::vector<std::int32_t> first_alike(const std::vector<Material>& materials) {
+  std::vector<std::int32_t> found;
+  for (const Material& material : materials) {
+    const kernels::ElasticModuli own = material.model.moduli();
+    const auto first = std::ranges::find_if(materials, [&](const Material& other) {
+      const kernels::ElasticModuli moduli = other.model.moduli();
+      return moduli.bulk_modulus == own.bulk_modulus && moduli.shear_modulus == own.shear_modulus &&
+             other.model.yields() == material.model.yields();
+    });
+    found.push_back(static_cast<std::int32_t>(first - materials.begin()));
+  }
+  if (std::ranges::all_of(found, [](std::int32_t first) { return first == 0; })) found.clear();
+  return found;
+}
+
 Field field_of(const FieldUse& use) { return known_field(use); }
 
 kernels::TermSettings term_settings(const Numerics& n, bool yields) {

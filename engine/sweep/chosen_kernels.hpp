@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "engine/particles/field_list.hpp"
@@ -43,6 +44,10 @@ struct ChosenKernels {
 /// What the numerics ask of the pair terms; `yields`: any material does.
 kernels::TermSettings term_settings(const Numerics& numerics, bool yields);
 ChosenKernels choose_kernels(const Scene& scene, bool yields, const kernels::KernelTable& table);
+
+/// By material the first with its moduli that yields or not as it does: between such the stress
+/// diffuses (D1). Empty where it is one for all.
+std::vector<std::int32_t> first_alike(const std::vector<Material>& materials);
 
 /// The row of a field that a term names; every one is there.
 Field field_of(const kernels::FieldUse& use);

@@ -112,6 +112,7 @@ PairSweepView<float> NarrowRecords::narrow(int threads, const PairSweepView<doub
   out.extra = narrow_lines(view.extra, extra_record_size, extra_);
   out.records = records_.data();
   out.marked = view.marked;
+  out.material = view.material;
   out.clusters = view.clusters;
   out.neighbours = view.neighbours;
   out.constants = narrowed(view.constants);

@@ -129,6 +129,15 @@ void Records::put_inertia(int threads, Role role, const ParticleBuffers& particl
   });
 }
 
+void Records::put_material(Role role, const ParticleBuffers& particles,
+                           const std::vector<std::int32_t>& alike) {
+  material_.resize(static_cast<std::size_t>(layout_.records()));
+  for (const ParticleGroup& group : particles.groups()) {
+    std::fill_n(material_.begin() + layout_[role].first + group.first, group.capacity,
+                alike[group.material]);
+  }
+}
+
 void Records::take_second() {
   second_.resize(static_cast<std::size_t>(layout_.records()) * second_record_size, 0.0);
   marked_.resize(static_cast<std::size_t>(layout_.records()), 0);
@@ -193,11 +202,13 @@ void Records::fill(PairSweepView<double>& view, bool with_marks) const {
   view.records = records_.data();
   view.second = with_marks ? second_.data() : nullptr;
   view.marked = with_marks ? marked_.data() : nullptr;
+  view.material = material_.empty() ? nullptr : material_.data();
   view.extra = form_ == StressForm::corrected ? extra_lines() : nullptr;
 }
 
 std::size_t Records::bytes() const {
-  return (records_.size() + second_.size() + extra_.size()) * sizeof(double) + marked_.size();
+  return (records_.size() + second_.size() + extra_.size()) * sizeof(double) + marked_.size() +
+         material_.size() * sizeof(std::int32_t);
 }
 
 }  // namespace scarp

@@ -22,6 +22,9 @@ struct RecordScaling {
   /// By material, K + 4G/3 over the mass scaling: density times squared speed of sound [Pa].
   std::vector<double> wave_modulus;
   bool scales_mass = false;  ///< some material's inertia is not its mass
+  /// By material the first that is alike: as stiff, and yields or not as it does. Empty: all are
+  /// alike, or no term asks.
+  std::vector<std::int32_t> alike = {};
 };
 
 /// What the stress slots of the soil's records hold: the stress, or T = sigma B, which the force is
@@ -69,6 +72,12 @@ class Records {
   /// Room for second lines, all zero.
   void take_second();
 
+  /// Notes the material of this soil, or the one that stands for it.
+  void put_material(Role role, const ParticleBuffers& particles,
+                    const std::vector<std::int32_t>& alike);
+  /// Of a record of soil or of an image. Pre: that of the soil is noted.
+  std::int32_t& material(std::int64_t index) { return material_[static_cast<std::size_t>(index)]; }
+
   double* record(Role role, std::int64_t slot) { return record(layout_[role].first + slot); }
   double* record(std::int64_t index) { return records_.data() + index * kernels::record_size; }
   /// Second line of a record, and whether it is not zero. Pre: has_second().
@@ -93,6 +102,7 @@ class Records {
   AlignedVector<double> records_;
   AlignedVector<double> second_, extra_;
   std::vector<std::uint8_t> marked_;
+  std::vector<std::int32_t> material_;
   StressForm form_ = StressForm::plain;
 };
 

@@ -12,7 +12,8 @@ namespace scarp::kernels {
 template <class B>
 struct ParticleLanes {
   B position[3], velocity[3], density, sound_speed, diffusivity;
-  B strain_rate[6];  ///< times h/2; where the hourglass viscosity is summed
+  B strain_rate[6];       ///< times h/2; where the hourglass viscosity is summed
+  std::int32_t material;  ///< of all; where the soil has several
 };
 
 /// What the first stage of a pair leaves for the second: as little as possible, since it is kept

@@ -108,6 +108,7 @@ void add_forces(const ReferenceParticles& p, const ReferenceSettings& s, std::si
 void add_diffusion(const ReferenceParticles& p, const ReferenceSettings& s, std::size_t i,
                    std::size_t j, const Vector& distance, const Vector& gradient,
                    ReferenceRate& rate) {
+  if (!p.material.empty() && p.material[i] != p.material[j]) return;
   const double h = s.smoothing_length;
   const double mean = 0.5 * (p.diffusivity[i] + p.diffusivity[j]);
   const double weight =

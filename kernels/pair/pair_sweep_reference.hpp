@@ -28,6 +28,7 @@ struct ReferenceParticles {
   std::vector<std::array<double, 3>> position, velocity;
   std::vector<double> density, volume, sound_speed;
   std::vector<double> diffusivity;  ///< D of the stress diffusion [m2/s]
+  std::vector<int> material;        ///< empty: all is one
   std::vector<std::array<double, 6>> stress;
   std::vector<std::array<double, 6>> artificial_stress;  ///< R of Eq. 27 [Pa m6/kg2]
   std::vector<ReferenceFace> face;                       ///< read for dummies only

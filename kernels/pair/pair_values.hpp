@@ -49,6 +49,7 @@ struct OwnValues {
       i.position[a] = value(record_x + a);
       i.velocity[a] = value(record_velocity_x + a);
     }
+    i.material = view.material != nullptr ? view.material[first] : 0;
     if constexpr (Set.has(Term::hourglass_viscosity)) {
       for (int a = 0; a < Dim; ++a) {
         for (int b = a; b < Dim; ++b) {
@@ -165,6 +166,16 @@ struct PairValues : PairGeometry<Batch<Real, Arch>, Dim>, PairMotion<Batch<Real,
   SCARP_INLINE B inverse_regularised_distance() const {
     if constexpr (Densities) return this->inverse_regularised * (i.density + this->density);
     return this->inverse_regularised;
+  }
+  SCARP_INLINE bool several_materials() const { return view_.material != nullptr; }
+  /// 1 where j is of the material of i, else 0. Pre: several_materials().
+  SCARP_INLINE B same_material() const {
+    const Real low = view_.material[low_] == i.material ? Real(1) : Real(0);
+    const Real high = view_.material[high_] == i.material ? Real(1) : Real(0);
+    return [&]<int... Lane>(std::integer_sequence<int, Lane...>) SCARP_LAMBDA {
+      return B({(Lane < cluster_size<Real, Arch> ? low : high)...});
+    }
+    (std::make_integer_sequence<int, lanes<Real, Arch>>{});
   }
   /// Value `c` of term T in the second or the extra lines.
   template <class T, int C>

@@ -9,7 +9,9 @@ namespace scarp::kernels {
 
 /// Equation: D1; d sigma_i/dt += 2 sum_j V_j D_ij psi_ij (x_ij . grad W)/(r^2 + 0.01 h^2) with
 /// psi_ij = sigma_i - sigma_j less the lithostatic difference, which the stress pass takes from
-/// `diffusion_slope`. Source: Feng et al. (2021); gated by the shear rate there where D is set.
+/// `diffusion_slope`, over neighbours whose material has the moduli of that of i and yields too:
+/// where stiffness jumps, so does the stress along the interface, which is no noise. Source: Feng
+/// et al. (2021); gated by the shear rate there where D is set.
 struct StressDiffusion : PairTerm {
   static constexpr Term term = Term::diffusion;
   static constexpr const char* name = "stress diffusion";
@@ -43,8 +45,9 @@ struct StressDiffusion : PairTerm {
     template <class Pair>
     SCARP_INLINE void add(Pair& pair) {
       const B regularised = pair.inverse_regularised_distance();
-      const B weight = (pair.i.diffusivity + pair.diffusivity()) * pair.gradient *
-                       pair.distance_squared * regularised;
+      B weight = (pair.i.diffusivity + pair.diffusivity()) * pair.gradient * pair.distance_squared *
+                 regularised;
+      if (pair.several_materials()) weight = weight * pair.same_material();
       weight_sum = weight_sum + weight;
       unrolled<components>([&](auto c) SCARP_LAMBDA {
         weighted_stress[c] = fma(weight, pair.stress[c], weighted_stress[c]);

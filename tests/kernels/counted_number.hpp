@@ -49,6 +49,8 @@ struct CountedPair : kernels::PairGeometry<Counted, Dim>, kernels::PairMotion<Co
   }
   Counted sound_speed() const { return {}; }
   Counted diffusivity() const { return {}; }
+  bool several_materials() const { return false; }
+  Counted same_material() const { return {}; }
   Counted inverse_regularised_distance() const { return Counted::after(densities ? 2 : 0); }
   template <class Term, int C>
   Counted second(std::integral_constant<int, C>) const {

@@ -162,6 +162,45 @@ TEST_P(PairSweepTest, EveryMixedVariantAgreesToSinglePrecision) {
   }
 }
 
+/// Three materials, one for each sixteen particles of soil, which every cluster size divides, and
+/// one for each image.
+TEST_P(PairSweepTest, StressDiffusesBetweenNeighboursOfOneMaterial) {
+  ReferenceParticles particles = particles_;
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    particles.material.push_back(static_cast<int>(k < particles.soil_count ? k / 16 % 3 : k % 3));
+  const std::vector<ReferenceRate> expected = pair_sweep_reference(particles, settings_),
+                                   of_one = pair_sweep_reference(particles_, settings_);
+  ASSERT_NE(expected[0].diffusion_rate[0].value, of_one[0].diffusion_rate[0].value);
+  constexpr TermSet diffusion{Term::diffusion};
+  for (const Isa isa : available_isas()) {
+    const KernelTable& table = kernels_of(isa);
+    for (const CompiledSweep<double>& compiled : table.sweeps) {
+      const SweepVariant& v = compiled.variant;
+      if (v.dimension != dimension_ || !v.terms.covers(diffusion)) continue;
+      SCOPED_TRACE(describe(table, v));
+      const PackedParticles packed(particles, settings_, table.cluster_size, packing_for(v.terms));
+      PairSweepView<double> view = packed.sweep_view(v.terms.has(Term::artificial_stress));
+      SweepOutput out(packed.slots());
+      out.attach(view);
+      compiled.sweep(view, 0, packed.soil_clusters());
+      expect_rates(expected, out, {dimension_, diffusion}, 0.0);
+    }
+    for (const CompiledSweep<float>& compiled : table.mixed) {
+      const SweepVariant& v = compiled.variant;
+      if (v.dimension != dimension_ || !v.terms.covers(diffusion)) continue;
+      SCOPED_TRACE(describe(table, v));
+      const PackedParticles packed(particles, settings_, table.mixed_cluster_size,
+                                   packing_for(v.terms));
+      PairSweepView<double> wide = packed.sweep_view(v.terms.has(Term::artificial_stress));
+      SweepOutput out(packed.slots());
+      out.attach(wide);
+      NarrowRecords narrow;
+      compiled.sweep(narrow.narrow(1, wide, packed.slots() - 1), 0, packed.soil_clusters());
+      expect_rates(expected, out, {dimension_, diffusion}, 0.0, mixed_epsilon);
+    }
+  }
+}
+
 TEST_P(PairSweepTest, MixedSweepsKnowNoOrigin) {
   // The block 1000 smoothing lengths away. Floats would know such positions to 6e-5 h.
   const double away = 1000.0 * settings_.smoothing_length;

@@ -98,6 +98,7 @@ class PackedParticles {
       view.marked = marked_.data();
     }
     if (packing_ == Packing::corrected_force) view.extra = extra_.data();
+    if (!material_.empty()) view.material = material_.data();
     view.constants.hourglass_viscosity = settings_.hourglass_viscosity;
     view.clusters = clusters_.data();
     view.neighbours = lists_.view();
@@ -147,7 +148,9 @@ class PackedParticles {
       records_[static_cast<std::size_t>(slot * record_size + record_x)] = far_position;
       records_[static_cast<std::size_t>(slot * record_size + record_density)] = 1.0;
     }
+    if (!p.material.empty()) material_.assign(static_cast<std::size_t>(slots()), 0);
     for (std::size_t k = 0; k < p.size(); ++k) {
+      if (!p.material.empty()) material_[static_cast<std::size_t>(slot_of(k))] = p.material[k];
       double* r = records_.data() + slot_of(k) * record_size;
       for (std::size_t a = 0; a < 3; ++a) {
         r[record_x + a] = p.position[k][a] / h;
@@ -263,6 +266,7 @@ class PackedParticles {
   std::int64_t first_wall_ = 0, first_image_ = 0, far_record_ = 0;
   AlignedVector<double> records_, second_, extra_, faces_;
   std::vector<std::uint8_t> marked_;
+  std::vector<std::int32_t> material_;
   std::vector<std::int32_t> clusters_;
   PackedLists lists_, wall_lists_;
 };

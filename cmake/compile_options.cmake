@@ -12,4 +12,8 @@ if(SCARP_SANITIZE)
   # gcc 12 prints false -Wmaybe-uninitialized out of its own headers once they are instrumented.
   target_compile_options(scarp_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(scarp_options INTERFACE -fsanitize=${SCARP_SANITIZE})
+  # Some tests look at memory, of which this one keeps much for itself.
+  if(SCARP_SANITIZE MATCHES address)
+    target_compile_definitions(scarp_options INTERFACE SCARP_ADDRESS_SANITIZER)
+  endif()
 endif()

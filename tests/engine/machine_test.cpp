@@ -86,7 +86,7 @@ TEST_F(GroupLimitsTest, AreThoseOfTheContainer) {
   }
 }
 
-#ifndef __SANITIZE_ADDRESS__  // whose own memory does not fit
+#ifndef SCARP_ADDRESS_SANITIZER  // whose own memory does not fit
 TEST(UsableMemoryTest, IsBoundedByUlimit) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_DATA, &before), 0);

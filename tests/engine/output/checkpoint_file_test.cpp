@@ -74,7 +74,7 @@ TEST_F(CheckpointFileTest, GivesBackEveryItemBitForBit) {
   EXPECT_EQ(simulation_.field("position"), resumed.field("position"));
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which keeps what is freed
+#ifndef SCARP_ADDRESS_SANITIZER  // which keeps what is freed
 // Each array goes once it is in the file: what is written takes no second copy.
 TEST_F(CheckpointFileTest, TakesNoMoreMemoryThanTheState) {
   constexpr std::size_t arrays = 20, values = 1 << 19;  // of 4 MiB

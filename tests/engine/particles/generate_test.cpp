@@ -363,7 +363,7 @@ TEST(EstimateParticlesTest, IsExactWhereColumnsAreFewAndNearWhereTheyAreMany) {
   EXPECT_NEAR(estimate_particles(scene)[0], 1.6e19, 1e15);
 }
 
-#ifndef __SANITIZE_ADDRESS__  // whose own memory does not fit
+#ifndef SCARP_ADDRESS_SANITIZER  // whose own memory does not fit
 // A million particles, which any machine of today holds, but not within 600 MB.
 TEST(GenerateSoilTest, MoreThanUlimitLetsARunHoldAreRefused) {
   rlimit before{};

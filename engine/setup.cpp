@@ -4,17 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "engine/boundary/wall_joints.hpp"
 #include "engine/errors.hpp"
 #include "engine/initial_soil.hpp"
 #include "engine/integrate/lattice_sums.hpp"
-#include "engine/isa_names.hpp"
 #include "engine/parallel.hpp"
 #include "engine/particles/probe_particles.hpp"
 #include "engine/particles/shared_inertia.hpp"
@@ -169,29 +165,6 @@ void set_pair_constants(State& state) {
 }
 
 }  // namespace
-
-std::vector<std::string> isa_names() {
-  std::vector<std::string> names;
-  for (const kernels::Isa isa : kernels::compiled_isas()) names.push_back(kernels::isa_name(isa));
-  return names;
-}
-
-const kernels::KernelTable& choose_table(const RunOptions& options) {
-  std::string wanted = options.isa;
-  if (wanted.empty()) {
-    if (const char* environment = std::getenv("SCARP_ISA")) wanted = environment;
-  }
-  const auto available = kernels::available_isas();
-  if (wanted.empty()) return kernels::kernels_of(available.back());
-  const auto isa = kernels::isa_named(wanted);
-  if (!isa || std::find(available.begin(), available.end(), *isa) == available.end()) {
-    std::string names;
-    for (const kernels::Isa one : available) names += fmt::format(" {}", kernels::isa_name(one));
-    throw SceneError(
-        fmt::format("instruction set '{}' is not available here; try one of:{}", wanted, names));
-  }
-  return kernels::kernels_of(*isa);
-}
 
 kernels::StressPassConstants stress_pass_constants(const Scene& scene, const Material& material,
                                                    double strength_reduction) {

@@ -46,7 +46,8 @@ class Zone {
       stop_if_asked(stop_);
       for (const std::uint32_t face : surface_.near(point, dx, search_)) {
         const FacetCoordinates at = coordinates(surface_.facet(face), scene_.dimension, point);
-        if (at.depth < -dx * (1.0 - met) || !at.above(surface_.facet(face), 0.0)) continue;
+        if (at.depth > dx * met || at.depth < -dx * (1.0 - met)) continue;
+        if (!at.above(surface_.facet(face), 0.0)) continue;
         if (std::abs(at.depth / dx + 0.5) > met) askew_[face] = true;
       }
     }

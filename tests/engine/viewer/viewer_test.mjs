@@ -96,6 +96,15 @@ async function redrawn(page, action) {
   await page.waitForFunction((before) => Number(document.querySelector(".scarp-picture").dataset.ready) > before, was, patience);
 }
 
+/// The canvas takes its new size in the frame after the panel beside it has opened.
+async function laidOut(page) {
+  await page.evaluate(() => new Promise((done) => {
+    let frames = 4;
+    const wait = () => (--frames > 0 ? requestAnimationFrame(wait) : done());
+    requestAnimationFrame(wait);
+  }));
+}
+
 const near = (found, wanted, words) =>
   assert.ok(found.every((value, c) => Math.abs(value - wanted[c]) <= 6), `${words}: ${found} is not near ${wanted}`);
 const viridis = { low: [0x44, 0x01, 0x54], middle: [0x21, 0x91, 0x8c], high: [0xfd, 0xe7, 0x25] };
@@ -220,6 +229,7 @@ test("a cut takes away what is beyond it", async (t) => {
   const isSoil = ([r, g, b]) => Math.max(r, g, b) - Math.min(r, g, b) > 40;  // white and walls are not coloured
   assert.ok(isSoil(await seen(7.5)));
   await page.getByText("cut", { exact: true }).click();
+  await laidOut(page);
   await page.evaluate(() => window.keep());
   await page.getByLabel("x, to").fill("500");
   assert.ok(!isSoil(await seen(7.5)), "cut away");

@@ -48,15 +48,17 @@ inline FacetCoordinates coordinates(const Facet& facet, int dimension, const Vec
 }
 
 /// Whether the straight way from `before` to `now` passes the plane `depth` behind the facet from
-/// its front, inside its footprint.
+/// its front, inside its footprint; what is no deeper than `tolerance` behind the plane counts as
+/// before it.
 inline bool goes_in(const Facet& facet, int dimension, const Vec3& before, const Vec3& now,
-                    double depth) {
+                    double depth, double tolerance = 0.0) {
   const double end = coordinates(facet, dimension, now).depth;
-  if (!(end > depth)) return false;
+  if (!(end > depth + tolerance)) return false;
   const double start = coordinates(facet, dimension, before).depth;
-  if (start > depth) return false;
-  const Vec3 crossing = plus(before, (depth - start) / (end - start), minus(now, before));
-  return coordinates(facet, dimension, crossing).above(facet, 0.0);
+  if (start > depth + tolerance) return false;
+  const double share = std::max(0.0, depth - start) / (end - start);
+  const Vec3 crossing = plus(before, share, minus(now, before));
+  return coordinates(facet, dimension, crossing).above(facet, tolerance);
 }
 
 /// Whether the straight way from `foot` to `point` leaves the wall through this facet, from its

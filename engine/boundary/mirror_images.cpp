@@ -21,6 +21,10 @@ bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
          (flat || (t >= -margin && t < facet.length_v + margin));
 }
 
+Vec3 reflected(const Vec3& point, double distance, const Vec3& normal) {
+  return geometry::plus(point, -2.0 * distance, normal);
+}
+
 }  // namespace
 
 /// Calls ask(face) for every smooth face that a point is near.
@@ -102,11 +106,8 @@ void MirrorImages::select(int threads, const Mirrored& mirrored, const Soil& own
       const std::int64_t made = count();
       images_.push_back(
           {source.record, w, facet.normal, facet.origin, source.lateral, source.more});
-      Vec3 place;
-      for (std::size_t a = 0; a < 3; ++a) {
-        place[a] = x[a] - 2.0 * distance * facet.normal[a];
-        position_[a].push_back(place[a]);
-      }
+      const Vec3 place = reflected(x, distance, facet.normal);
+      for (std::size_t a = 0; a < 3; ++a) position_[a].push_back(place[a]);
       each_smooth_face(mirrored, place, source.more, search, [&](std::uint32_t face) {
         if (face > first.key()) asked_[face].push_back({-1 - made, source.lateral, source.more});
       });
@@ -134,7 +135,8 @@ void MirrorImages::follow(const PointSpan& soil) {
     const std::int64_t k = of_image ? -1 - image.source : image.source;
     const Vec3 x{from.x[k], from.y[k], from.z[k]};
     const double distance = dot(geometry::minus(x, image.origin), image.normal);
-    for (std::size_t a = 0; a < 3; ++a) position_[a][g] = x[a] - 2.0 * distance * image.normal[a];
+    const Vec3 place = reflected(x, distance, image.normal);
+    for (std::size_t a = 0; a < 3; ++a) position_[a][g] = place[a];
   }
 }
 

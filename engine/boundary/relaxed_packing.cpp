@@ -21,7 +21,7 @@ namespace scarp {
 namespace {
 
 constexpr double reach = 10.0;       ///< of what moves from a wall, in spacings
-constexpr int most_rounds = 400;     ///< half of them bring a residual of 0.1 below `enough`
+constexpr int most_rounds = 400;     ///< a bound that the tests do not come to
 constexpr double enough = 1e-3;      ///< residual; a hundredth of that of a lattice askew
 constexpr double momentum = 0.9;     ///< share of the last round's way that goes on
 constexpr double longest_way = 0.1;  ///< of a particle in a round, in spacings

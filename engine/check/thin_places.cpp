@@ -2,8 +2,6 @@
 /// Runs of thin pieces over neighbouring lines.
 #include "engine/check/thin_places.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,13 +9,14 @@
 #include <map>
 
 #include "engine/check/line_cuts.hpp"
+#include "engine/check/thin_place_words.hpp"
 
 namespace scarp {
 namespace {
 
-constexpr double wanted = 2.0;        ///< spacings across
 constexpr double long_enough = 1.5;   ///< spacings along itself
 constexpr double taper = 0.176;       ///< tangent of 10 degrees
+constexpr double natural = 3.73;      ///< cotangent of 15 degrees, a tip that is none
 constexpr double most_lines = 20000;  ///< in one direction of cutting
 
 /// A thin piece on one line.
@@ -36,24 +35,28 @@ struct Run {
   bool closed_before = false;
 };
 
-/// What a message is about; one for each kind.
-struct Kind {
-  int material, body, below, above;
-  auto operator<=>(const Kind&) const = default;
-};
+/// The longest piece of a material that has a part between two places of a line, or none. Open air
+/// beyond the soil is a piece without end.
+double longest_between(const std::vector<LinePiece>& line, int material, double low, double high) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  if (material < 0 && (line.empty() || low < line.front().low || high > line.back().high))
+    return endless;
+  double longest = 0.0;
+  for (auto piece = std::partition_point(line.begin(), line.end(),
+                                         [low](const LinePiece& one) { return one.high < low; });
+       piece != line.end() && piece->low <= high; ++piece) {
+    if (piece->material == material) longest = std::max(longest, piece->high - piece->low);
+  }
+  return longest;
+}
 
-struct Found {
-  double width = std::numeric_limits<double>::infinity();
-  Vec3 place{};
-  bool hole = false;
-  double tapers = 0.0;  ///< length over which it thins out from two spacings to nothing, or 0 [m]
-  int count = 0;
-};
-
-int material_at(const std::vector<LinePiece>& line, double place) {
-  const auto piece = std::partition_point(
-      line.begin(), line.end(), [place](const LinePiece& one) { return one.high < place; });
-  return piece != line.end() && piece->low <= place ? piece->material : -1;
+/// Whether what a piece shows goes on in the next line, `apart` from it. A tip may lie so that it
+/// is far longer there and begins beyond the middle of this one.
+bool goes_on(const std::vector<LinePiece>& line, int material, const Sample& sample, double apart) {
+  const double reach = 0.5 * sample.length;
+  if (material < 0) return longest_between(line, material, sample.middle, sample.middle) > 0.0;
+  return longest_between(line, material, sample.middle - reach - natural * apart,
+                         sample.middle + reach + natural * apart) > 0.0;
 }
 
 /// Widths at right angles, from how the middles move; pieces steeper than that across their line
@@ -74,8 +77,11 @@ void set_widths(std::vector<Sample>& samples) {
 
 class Search {
  public:
-  Search(const Scene& scene, const LineCuts& cuts, std::map<Kind, Found>& found)
-      : scene_(scene), cuts_(cuts), found_(found), limit_((wanted - 1e-6) * scene.spacing) {}
+  Search(const Scene& scene, const LineCuts& cuts, std::map<ThinKind, ThinPlace>& found)
+      : scene_(scene),
+        cuts_(cuts),
+        found_(found),
+        limit_((spacings_wanted - 1e-6) * scene.spacing) {}
 
   /// Lines along `axis`, followed over `over`; all other coordinates are those of `at`.
   void look(std::size_t axis, std::size_t over, const std::vector<double>& places, Vec3 at) {
@@ -84,18 +90,20 @@ class Search {
     at_ = at;
     std::vector<Run> runs;
     std::vector<LinePiece> before;
+    double place_before = 0.0;
     for (const double place : places) {
       at_[over] = place;
       const std::vector<LinePiece> line = cuts_.cut(axis, at_);
-      runs = follow(std::move(runs), before, line, place);
+      runs = follow(std::move(runs), before, line, place, place - place_before);
       before = line;
+      place_before = place;
     }
     for (const Run& run : runs) judge(run, true);
   }
 
  private:
   std::vector<Run> follow(std::vector<Run> runs, const std::vector<LinePiece>& before,
-                          const std::vector<LinePiece>& line, double place) {
+                          const std::vector<LinePiece>& line, double place, double apart) {
     std::vector<Run> next;
     std::vector<bool> taken(runs.size(), false);
     std::size_t first = 0;  // runs and pieces ascend: those before it are too low for what follows
@@ -107,29 +115,30 @@ class Search {
       for (std::size_t r = first; r < runs.size(); ++r) {
         if (taken[r]) continue;
         const Sample& last = runs[r].samples.back();
-        const double apart = std::abs(middle - last.middle);
+        const double moved = std::abs(middle - last.middle);
         const double furthest = 1.5 * limit_ + 1.2 * (place - last.place);
         if (last.middle < middle - furthest) first = r + 1;
         if (last.middle > middle + furthest) break;
         const double reach = 0.5 * (length + last.length) + 1.2 * (place - last.place);
-        if (runs[r].material != piece.material || apart > reach) continue;
+        if (runs[r].material != piece.material || moved > reach) continue;
         taken[r] = true;
         run = std::move(runs[r]);
         break;
       }
+      const Sample sample{place, middle, length, 0.0};
       if (run.samples.empty()) {
         run.material = piece.material;
         run.body = piece.body;
         run.below = p > 0 ? line[p - 1].body : -1;
         run.above = p + 1 < line.size() ? line[p + 1].body : -1;
-        run.closed_before = material_at(before, middle) != piece.material;
+        run.closed_before = !goes_on(before, piece.material, sample, apart);
       }
-      run.samples.push_back({place, middle, length, 0.0});
+      run.samples.push_back(sample);
       next.push_back(std::move(run));
     }
     for (std::size_t r = 0; r < runs.size(); ++r) {
       if (taken[r]) continue;
-      judge(runs[r], material_at(line, runs[r].samples.back().middle) != runs[r].material);
+      judge(runs[r], !goes_on(line, runs[r].material, runs[r].samples.back(), apart));
     }
     return next;
   }
@@ -137,6 +146,7 @@ class Search {
   void judge(Run run, bool closed_after) {
     std::vector<Sample>& s = run.samples;
     set_widths(s);
+    leave_edges_out(run);
     const auto thin = [this](const Sample& sample) { return sample.width < limit_; };
     const auto first_thin = std::find_if(s.begin(), s.end(), thin);
     if (first_thin == s.end()) return;
@@ -175,6 +185,27 @@ class Search {
          wedge ? s.back().place - s.front().place : 0.0);
   }
 
+  /// In 3D a piece near an edge of a thick body is short all along that edge. Across it, along the
+  /// third axis, it grows as a layer does not.
+  void leave_edges_out(Run& run) {
+    if (scene_.dimension == 2) return;
+    const std::size_t third = 3 - axis_ - over_;
+    const double step = 0.5 * scene_.spacing;
+    for (Sample& sample : run.samples) {
+      for (const double way : {-step, step}) {
+        if (sample.width >= limit_) break;
+        Vec3 at = at_;
+        at[over_] = sample.place;
+        at[third] += way;
+        const double reach = 0.5 * sample.length;
+        const double there = longest_between(cuts_.cut(axis_, at), run.material,
+                                             sample.middle - reach, sample.middle + reach);
+        if (there - sample.length > taper * step)
+          sample.width = std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+
   static bool narrower(const Sample& a, const Sample& b) { return a.width < b.width; }
   static std::vector<Sample>::const_iterator widest(std::vector<Sample>::const_iterator begin,
                                                     std::vector<Sample>::const_iterator end) {
@@ -182,8 +213,8 @@ class Search {
   }
 
   void name(const Run& run, const Sample& sample, bool hole, double tapers = 0.0) {
-    Found& found = found_[{run.material, run.body, std::min(run.below, run.above),
-                           std::max(run.below, run.above)}];
+    ThinPlace& found = found_[{run.material, run.body, std::min(run.below, run.above),
+                               std::max(run.below, run.above)}];
     ++found.count;
     if (sample.width >= found.width) return;
     found.width = sample.width;
@@ -196,7 +227,7 @@ class Search {
 
   const Scene& scene_;
   const LineCuts& cuts_;
-  std::map<Kind, Found>& found_;
+  std::map<ThinKind, ThinPlace>& found_;
   double limit_;
   std::size_t axis_ = 0, over_ = 0;
   Vec3 at_{};
@@ -229,51 +260,13 @@ double cost_of_line(const Scene& scene) {
   return cost;
 }
 
-std::string sentence(const Scene& scene, const Kind& kind, const Found& found) {
-  const std::string place = point_text(found.place, scene.dimension);
-  const std::string more =
-      found.count > 1 ? fmt::format(" (the narrowest of {} such places)", found.count) : "";
-  if (kind.material < 0) {
-    const std::string where =
-        kind.below == kind.above
-            ? fmt::format("in body[{}]", kind.below)
-            : fmt::format("between body[{}] and body[{}]", kind.below, kind.above);
-    return fmt::format(
-        "{}: {} at {} is {:.3g} m wide, less than two spacings of {:g} m{}: below one spacing it "
-        "may "
-        "vanish, and below two the soil on its sides acts across it. Try spacing = {:.3g}, or a "
-        "wider "
-        "one.",
-        where, found.hole ? "the hole" : "the gap", place, found.width, scene.spacing, more,
-        found.width / wanted);
-  }
-  if (found.tapers > 0.0) {
-    return fmt::format(
-        "body[{}]: from {} on it thins out to nothing over {:.3g} m, all of it thinner than two "
-        "spacings of {:g} m{}: where it is thinner than one it may vanish. Try to end it where it "
-        "is "
-        "{:.3g} m thick, or a smaller spacing.",
-        kind.body, place, found.tapers, scene.spacing, more, wanted * scene.spacing);
-  }
-  const std::string& material = scene.materials[static_cast<std::size_t>(kind.material)].name;
-  return fmt::format(
-      "material '{}': the layer of body[{}] at {} is {:.3g} m thick, less than two spacings of "
-      "{:g} "
-      "m{}: a single row of particles cannot shear in itself, and what is thinner than a spacing "
-      "may "
-      "vanish. Two to three rows are needed; a row of weak soil between stronger soil takes the "
-      "row above it too. Try spacing = {:.3g} to {:.3g}, or a thicker one.",
-      material, kind.body, place, found.width, scene.spacing, more, found.width / 3.0,
-      found.width / wanted);
-}
-
 }  // namespace
 
 std::vector<std::string> thin_places(const Scene& scene) {
   if (scene.bodies.empty()) return {};
   constexpr double most_work = 3e7;  // edges looked at: below a second
   const LineCuts cuts(scene);
-  std::map<Kind, Found> found;
+  std::map<ThinKind, ThinPlace> found;
   Search search(scene, cuts, found);
   const bool plane = scene.dimension == 2;
   const double lines =
@@ -298,7 +291,7 @@ std::vector<std::string> thin_places(const Scene& scene) {
     }
   }
   std::vector<std::string> sentences;
-  for (const auto& [kind, one] : found) sentences.push_back(sentence(scene, kind, one));
+  for (const auto& [kind, one] : found) sentences.push_back(words_of(scene, kind, one));
   return sentences;
 }
 

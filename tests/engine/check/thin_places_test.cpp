@@ -143,6 +143,31 @@ TEST(ThinPlacesTest, NaturalTapersAreNotNamedFlatWedgesAre) {
   EXPECT_TRUE(names(plane({{.shape = Cylinder{{0, 0, 0}, 1.0, 0.85}}}), "the layer of body[0]"));
 }
 
+TEST(ThinPlacesTest, CornersOfTurnedBodiesAreNoLayers) {
+  const Outline block{{0, 0}, {3, 0}, {3, 2}, {0, 2}},
+      slope{{0, 0}, {8, 0}, {3, 2.5}, {0, 2.5}};  // its toe of 26.6 degrees is a natural one
+  // A seam of one row, and a tip of 5 degrees, are named however they are turned.
+  const Outline seam{{0, 0}, {3, 0}, {3, 0.1}, {0, 0.1}}, tip{{0, 0}, {9, 0}, {0, 0.787}};
+  for (double angle = 0.0; angle < 180.0; angle += 1.0) {
+    EXPECT_TRUE(silent(plane({outline(turned(block, angle))}))) << angle;
+    EXPECT_TRUE(silent(plane({outline(turned(slope, angle))}))) << angle;
+    EXPECT_TRUE(names(plane({outline(turned(seam, angle))}), "the layer of body[0]")) << angle;
+    EXPECT_FALSE(silent(plane({outline(turned(tip, angle))}))) << angle;
+  }
+  const auto solid = [](const Outline& points) {
+    Scene scene = plane({{.shape = Polygon{points, {0.0, 1.0}}}});
+    scene.dimension = 3;
+    scene.gravity = {0, 0, -9.81};
+    return scene;
+  };
+  for (double angle = 0.0; angle < 180.0; angle += 7.5) {
+    EXPECT_TRUE(silent(solid(turned(block, angle)))) << angle;
+    EXPECT_TRUE(silent(solid(turned(slope, angle)))) << angle;
+    EXPECT_TRUE(names(solid(turned(seam, angle)), "the layer of body[0]")) << angle;
+    EXPECT_FALSE(silent(solid(turned(tip, angle)))) << angle;
+  }
+}
+
 TEST(ThinPlacesTest, ThreeDimensionsAreCutAlongEveryAxis) {
   const auto solid = [](std::vector<Body> bodies) {
     Scene scene = plane(std::move(bodies));

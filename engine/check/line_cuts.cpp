@@ -6,9 +6,8 @@
 #include <map>
 
 namespace scarp {
-LineCuts::LineCuts(const Scene& scene) : scene_(scene) {
+LineCuts::LineCuts(const Scene& scene) : scene_(scene), shapes_(column_shapes(scene)) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    shapes_.push_back(column_shape(scene, b));
     materials_.push_back(static_cast<int>(material_of(scene, scene.bodies[b])));
     for (std::size_t a = 0; a < 3; ++a) {
       minimum_[a] = b == 0 ? shapes_[b].minimum[a] : std::min(minimum_[a], shapes_[b].minimum[a]);

@@ -56,8 +56,7 @@ double slope_height(const Scene& scene) {
   const Vec3& g = scene.gravity;
   const bool down = plane ? g[0] == 0.0 && g[1] < 0.0 : g[0] == 0.0 && g[1] == 0.0 && g[2] < 0.0;
   if (!down) return oblique_height(scene);
-  std::vector<ColumnShape> shapes;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) shapes.push_back(column_shape(scene, b));
+  const std::vector<ColumnShape> shapes = column_shapes(scene);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const ColumnShape& body : shapes) {
     const std::vector<double> across =

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "engine/errors.hpp"
+#include "engine/particles/lattice.hpp"
 #include "engine/particles/particle_limit.hpp"
 #include "engine/particles/shapes.hpp"
 #include "engine/particles/weak_seams.hpp"
@@ -18,39 +19,15 @@
 namespace scarp {
 namespace {
 
-/// Lattice sites first .. last of one axis; empty if last < first.
-struct Sites {
-  std::int64_t first = 0;
-  std::int64_t last = -1;
-  std::int64_t count() const { return std::max<std::int64_t>(last - first + 1, 0); }
-};
-
-/// Site i of an axis stands for the cell from origin + i dx to origin + (i + 1) dx.
-struct Lattice {
-  Vec3 origin{};
-  double spacing = 1.0;
-
-  double at(std::size_t axis, std::int64_t site) const {
-    return origin[axis] + (static_cast<double>(site) + 0.5) * spacing;
-  }
-  Sites inside(std::size_t axis, double low, double high, double tolerance) const {
-    const double first = std::ceil((low - tolerance - origin[axis]) / spacing - 0.5);
-    const double last = std::floor((high + tolerance - origin[axis]) / spacing - 0.5);
-    constexpr double most = 4e18;  // an index beyond this does not fit and is refused by its count
-    return {static_cast<std::int64_t>(std::clamp(first, -most, most)),
-            static_cast<std::int64_t>(std::clamp(last, -most, most))};
-  }
-};
-
 class LatticeFill {
  public:
   LatticeFill(const Scene& scene, const std::function<bool()>& stop)
       : scene_(scene),
         stop_(stop),
         up_(scene.dimension == 2 ? 1 : 2),
-        limit_(most_particles(scene)) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) shapes_.push_back(column_shape(scene, b));
-    if (!shapes_.empty()) lattice_ = {shapes_[0].minimum, scene.spacing};
+        limit_(most_particles(scene)),
+        shapes_(column_shapes(scene)) {
+    if (!shapes_.empty()) lattice_ = lattice_of(scene, shapes_[0]);
   }
 
   std::vector<double> estimate() {
@@ -82,7 +59,7 @@ class LatticeFill {
  private:
   Sites plan_sites(const ColumnShape& shape, std::size_t axis) const {
     if (axis == up_) return {0, 0};  // 2D: one row of columns
-    return lattice_.inside(axis, shape.minimum[axis], shape.maximum[axis], shape.tolerance);
+    return lattice_.inside(shape, axis, shape.minimum[axis], shape.maximum[axis]);
   }
 
   template <class Visit>
@@ -100,9 +77,9 @@ class LatticeFill {
   void column_sites(const ColumnShape& shape, double x, double y, std::vector<Sites>& out) {
     ranges_.clear();
     out.clear();
-    shape.column(x, y, ranges_);
+    shape.sites(up_, {x, y, 0.0}, ranges_);
     for (const Range& range : ranges_) {
-      const Sites sites = lattice_.inside(up_, range.low, range.high, shape.tolerance);
+      const Sites sites = lattice_.inside(shape, up_, range.low, range.high);
       if (sites.count() > 0) out.push_back(sites);
     }
     std::sort(out.begin(), out.end(),
@@ -213,8 +190,7 @@ class LatticeFill {
 
   bool covers(const ColumnShape& shape, double x, double y) const {
     const auto inside = [&](std::size_t a, double value) {
-      return value >= shape.minimum[a] - shape.tolerance &&
-             value <= shape.maximum[a] + shape.tolerance;
+      return within(value, shape.minimum[a] + shape.begin[a], shape.maximum[a] + shape.tolerance);
     };
     return inside(0, x) && (up_ == 1 || inside(1, y));
   }

@@ -12,10 +12,10 @@
 namespace scarp {
 
 /// Lattice points inside the bodies, body by body; each stands for a volume dx^dimension. The
-/// lattice is anchored half a spacing inside the lowest corner of the first body, so that flat
-/// faces at multiples of the spacing are met exactly. A point that lies in several bodies belongs
-/// to the first. Errors: SceneError if a body holds no lattice point or the count exceeds what
-/// memory can hold. Of each: position, velocity, material.
+/// lattice is that of `lattice_of`. A point on a face that two bodies share belongs to one of them,
+/// as said at `ColumnShape`; one that lies in several bodies belongs to the first. Errors:
+/// SceneError if a body holds no lattice point or the count exceeds what memory can hold. Of each:
+/// position, velocity, material.
 Particles generate_soil(const Scene& scene, const std::function<bool()>& stop = {});
 
 /// About how many particles each material has, from at most 20000 columns of each body, evenly

@@ -1,29 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// A body's shape with its place in messages and its tolerance.
+/// A body's shape with its place in messages, its tolerance and what becomes of sites on its faces.
 #include "engine/particles/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace scarp {
+namespace {
 
-ColumnShape column_shape(const Scene& scene, std::size_t index) {
-  const Body& body = scene.bodies[index];
-  const ShapeRow& row = row_of(body.shape);
-  const ShapeExtent extent = row.extent(body.shape, scene.dimension);
-  ColumnShape shape;
-  shape.label = message_start(scene, body) + row.describe(body.shape, scene.dimension);
-  shape.minimum = extent.minimum;
-  shape.maximum = extent.maximum;
-  shape.up = scene.dimension == 2 ? 1 : 2;
-  // A billionth of a spacing, or more where coordinates are so large that round-off is more.
-  shape.tolerance = 1e-9 * scene.spacing;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double largest = std::max(std::abs(extent.minimum[a]), std::abs(extent.maximum[a]));
-    shape.tolerance = std::max(shape.tolerance, 16 * 2.2e-16 * largest);
+/// A billionth of a spacing, or more where coordinates are so large that round-off is more.
+double tolerance_of(const Scene& scene, const std::vector<ShapeExtent>& extents) {
+  double tolerance = 1e-9 * scene.spacing;
+  for (const ShapeExtent& extent : extents) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double largest = std::max(std::abs(extent.minimum[a]), std::abs(extent.maximum[a]));
+      tolerance = std::max(tolerance, 16 * 2.2e-16 * largest);
+    }
   }
-  shape.cut = row.cut(body.shape, scene.dimension, shape.tolerance, shape.label);
-  return shape;
+  return tolerance;
+}
+
+}  // namespace
+
+std::vector<ColumnShape> column_shapes(const Scene& scene) {
+  std::vector<ShapeExtent> extents;
+  for (const Body& body : scene.bodies)
+    extents.push_back(row_of(body.shape).extent(body.shape, scene.dimension));
+  const double tolerance = tolerance_of(scene, extents);
+  std::vector<ColumnShape> shapes;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    const ShapeRow& row = row_of(body.shape);
+    ColumnShape shape;
+    shape.label = message_start(scene, body) + row.describe(body.shape, scene.dimension);
+    shape.minimum = extents[b].minimum;
+    shape.maximum = extents[b].maximum;
+    shape.up = scene.dimension == 2 ? 1 : 2;
+    shape.tolerance = tolerance;
+    for (std::size_t a = 0; a < 3; ++a)
+      shape.begin[a] = row.round && (a != 2) ? -tolerance : tolerance;
+    shape.cut = row.cut(body.shape, scene.dimension, tolerance, shape.label);
+    shape.sites = row.sites ? row.sites(body.shape, tolerance) : shape.cut;
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
 }
 
 }  // namespace scarp

@@ -92,11 +92,9 @@ class Columns {
 /// Rays against gravity through the bodies as they are drawn.
 class Rays {
  public:
-  Rays(const Scene& scene, const Vec3& direction) : scene_(scene), direction_(direction) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      shapes_.push_back(column_shape(scene, b));
-      materials_.push_back(material_of(scene, scene.bodies[b]));
-    }
+  Rays(const Scene& scene, const Vec3& direction)
+      : scene_(scene), direction_(direction), shapes_(column_shapes(scene)) {
+    for (const Body& body : scene.bodies) materials_.push_back(material_of(scene, body));
   }
 
   SoilAbove from(const Vec3& start, std::size_t material) {

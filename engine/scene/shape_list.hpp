@@ -67,12 +67,16 @@ struct ShapeRow {
   ShapeCut (*cut)(const Body::Shape& shape, int dimension, double tolerance,
                   const std::string& label);
   bool only_vertical;  ///< cuts are known along the vertical axis alone, and so is its top
+  bool round;          ///< in plan, and in 2D altogether: both ends of its sites belong to it
   /// Appends the places along an axis where its outline turns.
   void (*corners)(const Body::Shape& shape, int dimension, std::size_t axis,
                   std::vector<double>& out);
   /// What a cut takes, in edges looked at.
   double (*cost)(const Body::Shape& shape);
   OtherForm other{};
+  /// Where the heights of its sites are not those of its cut: ranges that are cut like the shape,
+  /// but closed above and open below, as said at `ColumnShape`.
+  ShapeCut (*sites)(const Body::Shape& shape, double tolerance) = nullptr;
 };
 
 extern const ShapeRow polygon_row, box_row, cylinder_row, height_field_row;

@@ -55,6 +55,7 @@ double cost(const Body::Shape&) { return 5.0; }
 
 }  // namespace
 
-const ShapeRow box_row{"box", {}, read, check, write, describe, extent, cut, false, corners, cost};
+const ShapeRow box_row{"box",  {},  read,  check, write,   describe,
+                       extent, cut, false, false, corners, cost};
 
 }  // namespace scarp

@@ -111,7 +111,7 @@ double cost(const Body::Shape&) { return 5.0; }
 
 }  // namespace
 
-const ShapeRow cylinder_row{"cylinder", {},  read,  check,   write, describe,
-                            extent,     cut, false, corners, cost};
+const ShapeRow cylinder_row{"cylinder", {},  read,  check, write,   describe,
+                            extent,     cut, false, true,  corners, cost};
 
 }  // namespace scarp

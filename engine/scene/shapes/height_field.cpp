@@ -190,7 +190,7 @@ double cost(const Body::Shape&) { return 50.0; }
 
 }  // namespace
 
-const ShapeRow height_field_row{"height_field", {},  read, check,   write, describe,
-                                extent,         cut, true, corners, cost};
+const ShapeRow height_field_row{"height_field", {},  read, check, write,   describe,
+                                extent,         cut, true, false, corners, cost};
 
 }  // namespace scarp

@@ -146,6 +146,33 @@ ShapeCut cut(const Body::Shape& shape, int dimension, double tolerance, const st
   };
 }
 
+/// Heights of the sites at `x`, each looked up a tolerance to the left. A site within a tolerance
+/// of an edge is below what stands here for that edge, whichever way it slants.
+void site_heights(const std::vector<std::array<double, 2>>& points, double x, double tolerance,
+                  std::vector<Range>& out) {
+  const double left = x - tolerance;
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    // From left to right, so that two outlines which share an edge cross it at the same number.
+    const auto& [a, b] = std::minmax(points[i], points[(i + 1) % points.size()]);
+    if ((a[0] < left) == (b[0] < left)) continue;
+    const double slope = (b[1] - a[1]) / (b[0] - a[0]);
+    // What a tolerance across the edge and one to the left come to upwards, less the one that every
+    // range has.
+    const double raise = tolerance * (std::hypot(1.0, slope) + std::abs(slope) - 1.0);
+    crossings.push_back(std::min(a[1] + (left - a[0]) * slope + raise, std::max(a[1], b[1])));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t k = 1; k < crossings.size(); k += 2)
+    out.push_back({crossings[k - 1], crossings[k]});
+}
+
+ShapeCut sites(const Body::Shape& shape, double tolerance) {
+  return [p = &polygon_of(shape), tolerance](std::size_t, const Vec3& at, std::vector<Range>& out) {
+    site_heights(p->points, at[0], tolerance, out);
+  };
+}
+
 void corners(const Body::Shape& shape, int dimension, std::size_t axis, std::vector<double>& out) {
   const Polygon& polygon = polygon_of(shape);
   if (dimension == 3 && axis == 1) {
@@ -161,7 +188,19 @@ double cost(const Body::Shape& shape) {
 
 }  // namespace
 
-const ShapeRow polygon_row{"polygon", extrude_key, read,  check,   write, describe,
-                           extent,    cut,         false, corners, cost,  {"slope", read_slope}};
+const ShapeRow polygon_row{"polygon",
+                           extrude_key,
+                           read,
+                           check,
+                           write,
+                           describe,
+                           extent,
+                           cut,
+                           false,
+                           false,
+                           corners,
+                           cost,
+                           {"slope", read_slope},
+                           sites};
 
 }  // namespace scarp

@@ -150,7 +150,8 @@ TEST_P(RelaxedPackingTest, BringsTheSumOfGradientsToZeroBesideWallsAskew) {
     Particles soil = generate_soil(trough.scene);
     const double before = trough.residual(soil.position);
     const RelaxedPacking packing = trough.relax(soil);
-    EXPECT_GT(before, 0.03) << degrees;
+    // At 45 degrees the lattice is moved to stand about half a row from its walls: 0.025.
+    EXPECT_GT(before, 0.02) << degrees;
     EXPECT_LT(trough.residual(soil.position), 2e-3) << degrees;
     EXPECT_LT(packing.residual, 1e-3) << degrees;
     EXPECT_EQ(packing.moved, soil.position.size()) << degrees << ": all is near a wall here";

@@ -74,8 +74,8 @@ struct ShapeRow {
   /// What a cut takes, in edges looked at.
   double (*cost)(const Body::Shape& shape);
   OtherForm other{};
-  /// Where the heights of its sites are not those of its cut: ranges that are cut like the shape,
-  /// but closed above and open below, as said at `ColumnShape`.
+  /// Heights of its sites along the vertical axis; null: as its cut has them. `ColumnShape` says
+  /// whose sites on faces are.
   ShapeCut (*sites)(const Body::Shape& shape, double tolerance) = nullptr;
 };
 

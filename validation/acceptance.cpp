@@ -111,6 +111,7 @@ void write_case_results(const std::filesystem::path& path, const Simulation* sim
     for (const Measure& measure : result.measures) json["measures"].push_back(json_of(measure));
   }
   // A case is many runs; the plain writer knows only the one simulation it was given.
+  if (!result.title.empty()) json["title"] = result.title;
   double particle_steps = 0.0, stepping = 0.0;
   std::uint64_t steps = 0;
   json["runs"] = Json::array();

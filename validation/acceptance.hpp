@@ -57,6 +57,7 @@ double observed_order(const std::vector<ErrorAtSpacing>& errors);
 
 struct CaseResult {
   std::string case_name;
+  std::string title;    ///< of the case's own scene; empty: that of the last one run
   std::string form;     ///< "short", "main" or "full"
   std::string options;  ///< see `options_key`
   std::vector<Measure> measures;

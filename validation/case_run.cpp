@@ -165,6 +165,13 @@ void CaseRun::run_stage(const std::string& name, Simulation& simulation, RunWrit
 
 void CaseRun::finish(const Simulation* simulation, const std::string& failure) {
   result_.failure = failure;
+  if (simulation != nullptr) {
+    // The last run may be of another file, or of another case's scene.
+    const std::string& name = result_.case_name;
+    const std::filesystem::path own = data_folder() / "cases" / name / (name + ".toml");
+    std::error_code error;
+    if (std::filesystem::exists(own, error)) result_.title = read_scene(own, {}).title;
+  }
   double particle_steps = 0.0, stepping = 0.0;
   for (const RunCost& run : result_.runs) {
     particle_steps += run.particle_steps;

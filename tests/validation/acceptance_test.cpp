@@ -9,6 +9,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "validation/case_run.hpp"
+
 namespace scarp::validation {
 namespace {
 
@@ -70,6 +72,18 @@ TEST(AcceptanceTest, JsonSumsTheRunsAndKeepsTheBands) {
   EXPECT_EQ(json["measures"][0]["band"], nlohmann::json({0.9, 1.1}));
   EXPECT_TRUE(json["measures"][1]["pass"].is_null());
   std::filesystem::remove(path);
+}
+
+TEST(AcceptanceTest, TheTitleIsThatOfTheCaseWhateverItRanLast) {
+  CaseOptions options;
+  options.out = std::filesystem::path(testing::TempDir()) / "scarp_acceptance_test";
+  options.quiet = true;
+  CaseRun run("askew", options);
+  const Simulation last(run.scene_at(0.5, "modern", "layer.toml"), options.run);
+  run.finish(&last);
+  std::ifstream stream(options.out / "askew/results.json");
+  EXPECT_EQ(nlohmann::json::parse(stream)["title"], run.scene_at(0.5, "modern").title);
+  std::filesystem::remove_all(options.out);
 }
 
 TEST(AcceptanceTest, TableNamesVerdictAndMeasures) {

@@ -90,7 +90,8 @@ class Zone {
     const Vec3& first = soil_.front();
     const Vec3 origin{first[0] - 0.5 * dx, first[1] - 0.5 * dx, first[2] - 0.5 * dx};
     const LatticePlaces places(soil_, origin, dx);
-    const std::vector<Site> offsets = offsets_within(2.0 * scene_.numerics.smoothing_ratio + 1.0);
+    const std::vector<Site> offsets =
+        offsets_within(2.0 * scene_.numerics.smoothing_ratio + 1.0, scene_.dimension);
     std::vector<bool> moves(soil_.size(), false);
     for (const std::size_t k : zone.soil) moves[k] = true;
     std::set<Site> empty;
@@ -122,21 +123,6 @@ class Zone {
     for (const Vec3& from : moving)
       look_around(from, [&](const Vec3& point) { zone.standing.push_back(point); });
     for (const std::size_t k : standing) zone.standing.push_back(soil_[k]);
-  }
-
-  std::vector<Site> offsets_within(double spacings) const {
-    std::vector<Site> offsets;
-    const auto far = static_cast<std::int64_t>(spacings);
-    const std::int64_t deep = scene_.dimension == 3 ? far : 0;
-    for (std::int64_t x = -far; x <= far; ++x) {
-      for (std::int64_t y = -far; y <= far; ++y) {
-        for (std::int64_t z = -deep; z <= deep; ++z) {
-          const auto squared = static_cast<double>(x * x + y * y + z * z);
-          if (squared > 0.0 && squared <= spacings * spacings) offsets.push_back({x, y, z});
-        }
-      }
-    }
-    return offsets;
   }
 
   const Scene& scene_;

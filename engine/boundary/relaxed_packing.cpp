@@ -14,6 +14,7 @@
 #include "engine/boundary/packing_zone.hpp"
 #include "engine/cells/cell_grid.hpp"
 #include "engine/parallel.hpp"
+#include "engine/particles/lattice_places.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 #include "engine/stop.hpp"
 
@@ -35,16 +36,10 @@ constexpr std::int64_t chunk = 256;
 double step_of(const kernels::SmoothingForm& form, double ratio, int dimension) {
   constexpr double d = 1e-4;
   const double volume = form.normalisation(dimension) / std::pow(ratio, dimension + 2);
-  const int far = static_cast<int>(2.0 * ratio), deep = dimension == 3 ? far : 0;
   double sum = 0.0;
-  for (int x = -far; x <= far; ++x) {
-    for (int y = -far; y <= far; ++y) {
-      for (int z = -deep; z <= deep; ++z) {
-        const double q = std::sqrt(x * x + y * y + z * z) / ratio;
-        if (q > 0.0 && q < 2.0)
-          sum += volume * std::abs(form.slope(q + d) - form.slope(q - d)) / (2.0 * d);
-      }
-    }
+  for (const Site& offset : offsets_within(2.0 * ratio, dimension)) {
+    const double q = length_of(offset) / ratio;
+    if (q < 2.0) sum += volume * std::abs(form.slope(q + d) - form.slope(q - d)) / (2.0 * d);
   }
   return 1.0 / (2.0 * sum);
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/particles/lattice_places.hpp"
 #include "kernels/pair/term_rows.hpp"
 
 namespace scarp {
@@ -23,20 +24,17 @@ struct Neighbour {
 std::size_t index(const kernels::TermRow& row) { return static_cast<std::size_t>(row.term); }
 
 std::vector<Neighbour> neighbours(const kernels::SmoothingForm& form, double ratio, int dimension) {
-  const int reach = static_cast<int>(2.0 * ratio) + 1, depth = dimension == 3 ? reach : 0;
   const double volume = form.normalisation(dimension) / std::pow(ratio, dimension);
   std::vector<Neighbour> all;
-  for (int x = -reach; x <= reach; ++x) {
-    for (int y = -reach; y <= reach; ++y) {
-      for (int z = -depth; z <= depth; ++z) {
-        const double r = std::sqrt(x * x + y * y + z * z);
-        if (r == 0.0 || r >= 2.0 * ratio) continue;
-        all.push_back({{x / r, y / r, z / r},
-                       {double(x), double(y), double(z)},
-                       r / ratio,
-                       -volume * form.slope(r / ratio)});
-      }
+  for (const Site& offset : offsets_within(2.0 * ratio, dimension)) {
+    const double r = length_of(offset);
+    if (r >= 2.0 * ratio) continue;
+    Neighbour one{{}, {}, r / ratio, -volume * form.slope(r / ratio)};
+    for (std::size_t a = 0; a < 3; ++a) {
+      one.place[a] = static_cast<double>(offset[a]);
+      one.direction[a] = one.place[a] / r;
     }
+    all.push_back(one);
   }
   return all;
 }

@@ -18,6 +18,28 @@ namespace scarp {
 /// Site k of an axis stands for the cell from origin + k dx to origin + (k + 1) dx.
 using Site = std::array<std::int64_t, 3>;
 
+/// From a site to all others no farther away than `reach` spacings, ascending.
+inline std::vector<Site> offsets_within(double reach, int dimension) {
+  std::vector<Site> offsets;
+  const auto far = static_cast<std::int64_t>(reach);
+  const std::int64_t deep = dimension == 3 ? far : 0;
+  for (std::int64_t x = -far; x <= far; ++x) {
+    for (std::int64_t y = -far; y <= far; ++y) {
+      for (std::int64_t z = -deep; z <= deep; ++z) {
+        const auto squared = static_cast<double>(x * x + y * y + z * z);
+        if (squared > 0.0 && squared <= reach * reach) offsets.push_back({x, y, z});
+      }
+    }
+  }
+  return offsets;
+}
+
+/// Length of such a way in spacings.
+inline double length_of(const Site& offset) {
+  return std::sqrt(
+      static_cast<double>(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]));
+}
+
 /// Finds a particle by its site. Pre: no two share one.
 class LatticePlaces {
  public:

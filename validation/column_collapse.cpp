@@ -35,7 +35,7 @@ double distance(const Simulation& now, const std::vector<double>& position, std:
                                     : std::hypot(position[3 * i], position[3 * i + 1]);
 }
 
-/// Half a spacing beyond the centre of the particle at the quantile: its edge.
+/// Edge of the particle at the quantile of the volume, half a spacing beyond its centre.
 double front(const Simulation& now) {
   const std::vector<double> position = now.field("position");
   std::vector<double> distances;
@@ -111,7 +111,7 @@ ColumnDeposit collapse_column(CaseRun& run, const std::string& name, Simulation&
   deposit.width = width;
   deposit.column = column;
   const double end = front(simulation);
-  deposit.run_out = end / width - 1.0;
+  deposit.volume_run_out = end / width - 1.0;
   deposit.advance = (end - before.value_or(0.0)) / width;
   deposit.connected_run_out = connected_front(simulation) / width - 1.0;
   deposit.viscous_share = viscous_share(simulation);
@@ -124,6 +124,7 @@ ColumnDeposit collapse_column(CaseRun& run, const std::string& name, Simulation&
     if (far > 2.0 * scene.spacing) continue;
     deposit.height = std::max(deposit.height, (position[3 * i + up] + 0.5 * scene.spacing) / width);
   }
+  deposit.run_out = closed_front(x, scene.dimension, scene.spacing) / width - 1.0;
   if (surface != nullptr) *surface = column_profile(x, scene.spacing, 2.0 * scene.spacing);
   return deposit;
 }

@@ -23,7 +23,8 @@ struct ColumnDeposit {
   double spacing = 0.0;            ///< [m]
   double width = 0.0;              ///< L0 [m]
   Column column;                   ///< with the friction angle it had
-  double run_out = 0.0;            ///< (L - L0)/L0 with L the 99.5 % quantile of the volume
+  double run_out = 0.0;            ///< (L - L0)/L0 with L to where the deposit is one grain high
+  double volume_run_out = 0.0;     ///< the same to the 99.5 % quantile of the volume
   double advance = 0.0;            ///< of that in the last sqrt(H0/g)
   double connected_run_out = 0.0;  ///< the same to the end of the connected deposit
   double height = 0.0;             ///< at the symmetry plane or axis

@@ -20,10 +20,11 @@ constexpr double shown_aspect = 1.0;       // of the column that leaves frames
 
 void write_deposits(const std::filesystem::path& path, const std::vector<ColumnDeposit>& deposits) {
   CsvFile file(path, {"preset", "dx [m]", "aspect_ratio", "friction_angle [deg]", "run_out",
-                      "connected_run_out", "height", "viscous_share"});
+                      "volume_run_out", "connected_run_out", "height", "viscous_share"});
   for (const ColumnDeposit& one : deposits) {
     file << one.preset << one.spacing << one.column.aspect_ratio << one.column.friction_angle
-         << one.run_out << one.connected_run_out << one.height << one.viscous_share;
+         << one.run_out << one.volume_run_out << one.connected_run_out << one.height
+         << one.viscous_share;
     file.end_row();
   }
 }
@@ -74,7 +75,7 @@ void judge_end(CaseRun& run, const std::string& who, const std::vector<ColumnDep
                  "mass is conserved; at all spacings, more than a spacing behind a wall"));
   const ColumnDeposit& finest = series.back();
   run.add(within(who + "advance of the front in the last sqrt(H0/g), over L0", finest.advance, "",
-                 0.0, -0.01 * (1.0 + finest.run_out), 0.01 * (1.0 + finest.run_out),
+                 0.0, -0.01 * (1.0 + finest.volume_run_out), 0.01 * (1.0 + finest.volume_run_out),
                  "at rest: 1 % of the length of the deposit"));
 }
 
@@ -131,6 +132,8 @@ void judge(CaseRun& run, const std::string& who, const std::vector<ColumnDeposit
   }
   run.add(reported(who + "run-out over Lube's law - 1", finest.run_out / laws.lube.at(a) - 1.0, "",
                    laws.over_run));
+  run.add(reported(who + "run-out to 99.5 % of the volume", finest.volume_run_out, "",
+                   "with the loose grains ahead of the deposit"));
   run.add(reported(who + "run-out of the connected deposit", finest.connected_run_out, ""));
   if (a <= plan.height_kept_to) {
     const double layer = finest.spacing / finest.width;

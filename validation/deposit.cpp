@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <unordered_map>
@@ -169,6 +170,23 @@ void write_profile(const std::filesystem::path& path, const Profile& profile) {
     file << profile.x[k] << profile.height[k];
     file.end_row();
   }
+}
+
+double closed_front(const std::vector<double>& distances, int dimension, double spacing) {
+  const double width = 4.0 * spacing;
+  std::vector<double> depth;
+  for (const double distance : distances) {
+    const auto k = static_cast<std::size_t>(std::max(distance, 0.0) / width);
+    if (k >= depth.size()) depth.resize(k + 1, 0.0);
+    const double ring = 0.25 * std::numbers::pi * static_cast<double>(2 * k + 1) * width * width;
+    depth[k] += dimension == 2 ? spacing * spacing / width : spacing * spacing * spacing / ring;
+  }
+  depth.push_back(0.0);
+  std::size_t k = 0;
+  while (depth[k] >= spacing) ++k;
+  if (k == 0) return 0.0;
+  return (static_cast<double>(k) - 0.5 + (depth[k - 1] - spacing) / (depth[k - 1] - depth[k])) *
+         width;
 }
 
 double quantile(std::vector<double> values, double share) {

@@ -160,9 +160,11 @@ void Walls::pack(Records& records, std::int64_t dummy, const WallMaterial& mater
   r[record_sound_speed] = material.sound_speed;
 }
 
-void Walls::put_density(Records& records, double density) const {
-  for (std::int64_t k = 0; k < dummy_count_; ++k)
-    records.record(Role::dummy, k)[record_density] = density;
+void Walls::put_density(int threads, Records& records, double density) const {
+  parallel_chunks(threads, dummy_count_, particle_chunk, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t k = begin; k < end; ++k)
+      records.record(Role::dummy, k)[record_density] = density;
+  });
 }
 
 template <int Dim>

@@ -81,7 +81,7 @@ class Walls {
                  const kernels::WallSweepView<double>& base, const WallMaterial& material,
                  const std::vector<Vec3>& wall_velocity, Records& records);
   /// Another density into the records of all dummies.
-  void put_density(Records& records, double density) const;
+  void put_density(int threads, Records& records, double density) const;
   std::size_t bytes() const;
 
  private:

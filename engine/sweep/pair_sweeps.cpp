@@ -92,7 +92,8 @@ void put_inertia(State& state) {
   records.put_inertia(state.threads, Role::ghost, state.ghosts);
   state.boundary.images.copy_density(state.threads, records);
   const Material& of_walls = state.scene.materials[state.boundary.material];
-  state.boundary.walls.put_density(records, of_walls.mass_scaling * of_walls.density);
+  state.boundary.walls.put_density(state.threads, records,
+                                   of_walls.mass_scaling * of_walls.density);
 }
 
 /// Second lines are packed just before the terms that read them are summed; while all are zero, the

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include "engine/errors.hpp"
 
@@ -62,6 +63,36 @@ TEST(DepositTest, DistanceIsPerpendicular) {
   const Profile slope{{0.0, 4.0}, {3.0, 0.0}};
   EXPECT_NEAR(mean_distance({{0.0, 4.0}, {0.0, 3.0}}, slope), 12.0 / 5.0, 1e-12);
   EXPECT_TRUE(std::isnan(mean_distance({}, slope)));
+}
+
+TEST(DepositTest, TheFrontIsWhereAWedgeIsOneGrainHigh) {
+  // Rows from 20 to none over 80 columns: columns of four lie on the line of the wedge.
+  std::vector<int> rows;
+  for (int k = 0; k < 80; ++k) rows.push_back((80 - k) / 4);
+  std::vector<double> x = lattice(rows);
+  const double end = 80 * dx, height = 20 * dx;
+  // Whole particles: of four columns three have the depth of the line less 1/4 to 3/4 of one.
+  const double off = 0.5 * dx * end / height;
+  EXPECT_NEAR(closed_front(x, 2, dx), end * (1.0 - dx / height), off);
+  const double front = closed_front(x, 2, dx);
+  // A file of grains at half the density of a row goes on from it: no deposit.
+  for (int k = 0; k < 40; ++k) x.push_back(end + 2.0 * dx * k);
+  EXPECT_EQ(closed_front(x, 2, dx), front);
+  EXPECT_EQ(closed_front({}, 2, dx), 0.0);
+}
+
+TEST(DepositTest, TheFrontOfARoundDepositIsWhereItsRingsAreOneGrainHigh) {
+  // A quarter of a cone 20 dx high and 80 dx wide, of many small shares of volume.
+  std::vector<double> distances;
+  const double end = 80 * dx, height = 20 * dx;
+  for (int k = 0; k < 8000; ++k) {
+    const double r = end * (k + 0.5) / 8000;
+    const double volume =
+        height * (1.0 - r / end) * 0.5 * std::numbers::pi * r * end / 8000 / (dx * dx * dx);
+    for (int n = 0; n < static_cast<int>(volume + 0.5); ++n) distances.push_back(r);
+  }
+  // Volumes are rounded to whole particles, of which a ring at the front has 1.2 of 8000.
+  EXPECT_NEAR(closed_front(distances, 3, dx), end * (1.0 - dx / height), 4 * dx);
 }
 
 TEST(DepositTest, QuantileLeavesOutTheFarthestGrains) {

@@ -172,7 +172,8 @@ void write_profile(const std::filesystem::path& path, const Profile& profile) {
   }
 }
 
-double closed_front(const std::vector<double>& distances, int dimension, double spacing) {
+double closed_front(const std::vector<double>& distances, int dimension, double spacing,
+                    double grain) {
   const double width = 4.0 * spacing;
   std::vector<double> depth;
   for (const double distance : distances) {
@@ -183,9 +184,9 @@ double closed_front(const std::vector<double>& distances, int dimension, double 
   }
   depth.push_back(0.0);
   std::size_t k = 0;
-  while (depth[k] >= spacing) ++k;
+  while (depth[k] >= grain) ++k;
   if (k == 0) return 0.0;
-  return (static_cast<double>(k) - 0.5 + (depth[k - 1] - spacing) / (depth[k - 1] - depth[k])) *
+  return (static_cast<double>(k) - 0.5 + (depth[k - 1] - grain) / (depth[k - 1] - depth[k])) *
          width;
 }
 

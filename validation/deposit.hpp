@@ -35,10 +35,11 @@ Profile read_profile(const std::filesystem::path& path);
 void write_profile(const std::filesystem::path& path, const Profile& profile);
 
 /// Where a deposit stops to be one grain high: the first distance from its middle at which the soil
-/// no longer has the depth of one closed row of particles, in columns of four spacings, linear
-/// between them [m]. In 3D `distances` are from the axis of a quarter of a round deposit, which
-/// columns are rings of. 0 without such soil.
-double closed_front(const std::vector<double>& distances, int dimension, double spacing);
+/// no longer has the depth of a closed layer of `grain`, in columns of four spacings, linear
+/// between them; all in [m]. In 3D `distances` are from the axis of a quarter of a round deposit,
+/// and columns are rings of it. 0 without such soil.
+double closed_front(const std::vector<double>& distances, int dimension, double spacing,
+                    double grain);
 
 /// The value that `share` of the values does not exceed; NaN for none.
 double quantile(std::vector<double> values, double share);

@@ -73,12 +73,14 @@ TEST(DepositTest, TheFrontIsWhereAWedgeIsOneGrainHigh) {
   const double end = 80 * dx, height = 20 * dx;
   // Whole particles: of four columns three have the depth of the line less 1/4 to 3/4 of one.
   const double off = 0.5 * dx * end / height;
-  EXPECT_NEAR(closed_front(x, 2, dx), end * (1.0 - dx / height), off);
-  const double front = closed_front(x, 2, dx);
+  EXPECT_NEAR(closed_front(x, 2, dx, dx), end * (1.0 - dx / height), off);
+  const double front = closed_front(x, 2, dx, dx);
   // A file of grains at half the density of a row goes on from it: no deposit.
   for (int k = 0; k < 40; ++k) x.push_back(end + 2.0 * dx * k);
-  EXPECT_EQ(closed_front(x, 2, dx), front);
-  EXPECT_EQ(closed_front({}, 2, dx), 0.0);
+  EXPECT_EQ(closed_front(x, 2, dx, dx), front);
+  // With grains of a fifth of the size those columns would be a closed layer.
+  EXPECT_GT(closed_front(x, 2, dx, 0.2 * dx), end + 70 * dx);
+  EXPECT_EQ(closed_front({}, 2, dx, dx), 0.0);
 }
 
 TEST(DepositTest, TheFrontOfARoundDepositIsWhereItsRingsAreOneGrainHigh) {
@@ -92,7 +94,7 @@ TEST(DepositTest, TheFrontOfARoundDepositIsWhereItsRingsAreOneGrainHigh) {
     for (int n = 0; n < static_cast<int>(volume + 0.5); ++n) distances.push_back(r);
   }
   // Volumes are rounded to whole particles, of which a ring at the front has 1.2 of 8000.
-  EXPECT_NEAR(closed_front(distances, 3, dx), end * (1.0 - dx / height), 4 * dx);
+  EXPECT_NEAR(closed_front(distances, 3, dx, dx), end * (1.0 - dx / height), 4 * dx);
 }
 
 TEST(DepositTest, QuantileLeavesOutTheFarthestGrains) {

@@ -112,7 +112,7 @@ ColumnDeposit collapse_column(CaseRun& run, const std::string& name, Simulation&
   deposit.width = width;
   deposit.column = column;
   const double end = front(simulation);
-  deposit.volume_run_out = end / width - 1.0;
+  deposit.run_out = end / width - 1.0;
   deposit.advance = (end - before.value_or(0.0)) / width;
   deposit.connected_run_out = connected_front(simulation) / width - 1.0;
   deposit.viscous_share = viscous_share(simulation);
@@ -125,7 +125,8 @@ ColumnDeposit collapse_column(CaseRun& run, const std::string& name, Simulation&
     if (far > 2.0 * scene.spacing) continue;
     deposit.height = std::max(deposit.height, (position[3 * i + up] + 0.5 * scene.spacing) / width);
   }
-  deposit.run_out = closed_front(x, scene.dimension, scene.spacing, grain * width) / width - 1.0;
+  deposit.grain_run_out =
+      closed_front(x, scene.dimension, scene.spacing, grain_size * width) / width - 1.0;
   if (surface != nullptr) *surface = column_profile(x, scene.spacing, 2.0 * scene.spacing);
   return deposit;
 }

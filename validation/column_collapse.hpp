@@ -17,15 +17,18 @@ struct Column {
   double friction_angle = 0.0;  ///< [deg]; 0: the scene's
 };
 
+/// Of the coarse sand of the experiments, over L0.
+inline constexpr double grain_size = 1.0 / 40.0;
+
 /// What is left of a column; lengths over L0 = initial (half) width or radius.
 struct ColumnDeposit {
   std::string preset;
   double spacing = 0.0;            ///< [m]
   double width = 0.0;              ///< L0 [m]
   Column column;                   ///< with the friction angle it had
-  double run_out = 0.0;            ///< (L - L0)/L0 with L to where the deposit is one grain high
-  double volume_run_out = 0.0;     ///< the same to the 99.5 % quantile of the volume
+  double run_out = 0.0;            ///< (L - L0)/L0 with L the 99.5 % quantile of the volume
   double advance = 0.0;            ///< of that in the last sqrt(H0/g)
+  double grain_run_out = 0.0;      ///< the same to where the deposit is one grain high
   double connected_run_out = 0.0;  ///< the same to the end of the connected deposit
   double height = 0.0;             ///< at the symmetry plane or axis
   double lost = 0.0;               ///< share of the soil that went through a wall

@@ -36,6 +36,8 @@ def run_out(page, folder, figures, laws, control):
             rank = np.array([np.sum((spacing > dx) & chosen & (a == ratio)) for dx, ratio in zip(spacing, a)])
             ax.scatter(a[chosen], measured[chosen], s=14 + 22 * rank[chosen], marker=MARKERS.get(preset, "^"),
                        facecolors="none", edgecolors=colour, linewidths=1.1, zorder=3, label=preset + what)
+            ax.scatter(a[chosen], columns["grain_run_out"][chosen], s=30 + 45 * rank[chosen], marker="_", color=colour,
+                       linewidths=1.1, zorder=3)
     ax.set_xscale("log")
     ax.set_yscale("log")
     for axis, ticks in ((ax.xaxis, [0.5, 1, 2, 4]), (ax.yaxis, [0.5, 1, 2, 4, 8])):
@@ -46,7 +48,8 @@ def run_out(page, folder, figures, laws, control):
     ax.set_ylabel("run-out (L - L0)/L0 [-]")
     ax.grid(alpha=0.25, linewidth=0.5)
     ax.legend(loc="upper left", fontsize=8)
-    page.figure(figure, "Run-out over aspect ratio against the laws of experiments. A larger mark is a finer spacing.",
+    page.figure(figure, "Run-out over aspect ratio against the laws of experiments, to 99.5 % of the volume; lines: to where "
+                "the deposit is one grain high. A larger mark is a finer spacing.",
                 figures / "run_out.png")
 
 

@@ -20,10 +20,10 @@ constexpr double shown_aspect = 1.0;       // of the column that leaves frames
 
 void write_deposits(const std::filesystem::path& path, const std::vector<ColumnDeposit>& deposits) {
   CsvFile file(path, {"preset", "dx [m]", "aspect_ratio", "friction_angle [deg]", "run_out",
-                      "volume_run_out", "connected_run_out", "height", "viscous_share"});
+                      "grain_run_out", "connected_run_out", "height", "viscous_share"});
   for (const ColumnDeposit& one : deposits) {
     file << one.preset << one.spacing << one.column.aspect_ratio << one.column.friction_angle
-         << one.run_out << one.volume_run_out << one.connected_run_out << one.height
+         << one.run_out << one.grain_run_out << one.connected_run_out << one.height
          << one.viscous_share;
     file.end_row();
   }
@@ -75,7 +75,7 @@ void judge_end(CaseRun& run, const std::string& who, const std::vector<ColumnDep
                  "mass is conserved; at all spacings, more than a spacing behind a wall"));
   const ColumnDeposit& finest = series.back();
   run.add(within(who + "advance of the front in the last sqrt(H0/g), over L0", finest.advance, "",
-                 0.0, -0.01 * (1.0 + finest.volume_run_out), 0.01 * (1.0 + finest.volume_run_out),
+                 0.0, -0.01 * (1.0 + finest.run_out), 0.01 * (1.0 + finest.run_out),
                  "at rest: 1 % of the length of the deposit"));
 }
 
@@ -123,16 +123,24 @@ void judge(CaseRun& run, const std::string& who, const std::vector<ColumnDeposit
   const double a = finest.column.aspect_ratio;
   const auto [low, high] = band(laws, a);
   judge_end(run, who, series);
+  // A layer one grain deep is known where a particle of columns as high as wide is no larger.
+  const double particle = finest.spacing / std::min(1.0, a);
+  const bool by_grain = particle <= (1.0 + 1e-9) * grain_size * finest.width;
+  const double judged = by_grain ? finest.grain_run_out : finest.run_out;
+  const std::string to =
+      by_grain ? "to where the deposit is one grain high" : "to 99.5 % of the volume";
   if (a <= laws.largest_judged) {
-    run.add(within(who + "run-out (L - L0)/L0", finest.run_out, "", {}, low, high,
-                   "between " + laws.source));
+    run.add(within(who + "run-out (L - L0)/L0", judged, "", {}, low, high,
+                   "between " + laws.source + ", " + to));
   } else {
-    run.add(reported(who + "run-out (L - L0)/L0", finest.run_out, "",
-                     fmt::format("laws {:.3g} and {:.3g}", low, high)));
+    run.add(reported(who + "run-out (L - L0)/L0", judged, "",
+                     fmt::format("{}; laws {:.3g} and {:.3g}", to, low, high)));
   }
-  run.add(reported(who + "run-out over Lube's law - 1", finest.run_out / laws.lube.at(a) - 1.0, "",
+  run.add(reported(who + "run-out over Lube's law - 1", judged / laws.lube.at(a) - 1.0, "",
                    laws.over_run));
-  run.add(reported(who + "run-out to 99.5 % of the volume", finest.volume_run_out, "",
+  run.add(
+      reported(who + "run-out to where the deposit is one grain high", finest.grain_run_out, ""));
+  run.add(reported(who + "run-out to 99.5 % of the volume", finest.run_out, "",
                    "with the loose grains ahead of the deposit"));
   run.add(reported(who + "run-out of the connected deposit", finest.connected_run_out, ""));
   if (a <= plan.height_kept_to) {

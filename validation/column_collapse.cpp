@@ -16,7 +16,6 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double duration = 6.0;        // in sqrt(H0/g); the front stops after 3 to 4
 constexpr double volume_share = 0.995;  // the farthest grains are off by 15 % and more
-constexpr double grain = 1.0 / 40.0;    // of L0, coarse for the sand of the experiments
 constexpr double reach = 1.5;           // in dx; the diagonal of a lattice cell is 1.41
 constexpr int sectors = 9;              // of the quarter circle
 

@@ -17,7 +17,7 @@ struct Column {
   double friction_angle = 0.0;  ///< [deg]; 0: the scene's
 };
 
-/// Of the coarse sand of the experiments, over L0.
+/// Over L0: 2.5 mm in the columns of 0.1 m, a coarse grain. Chosen; the experiments' are not known.
 inline constexpr double grain_size = 1.0 / 40.0;
 
 /// What is left of a column; lengths over L0 = initial (half) width or radius.

@@ -210,8 +210,6 @@ void place_walls(State& state) {
   state.neighbours.valid = false;
 }
 
-namespace {
-
 /// Tests ask for more threads than there are cores, to see that results do not depend on them.
 Team make_team(const RunOptions& options) {
   constexpr int most_oversubscribed = 16;
@@ -222,8 +220,6 @@ Team make_team(const RunOptions& options) {
   if (!complaint.empty()) throw SceneError(complaint);
   return {wanted, true};
 }
-
-}  // namespace
 
 State make_state(Scene scene, const RunOptions& options, const Particles* particles) {
   validate(scene, particles == nullptr);

@@ -12,6 +12,8 @@ namespace scarp {
 
 /// The soil is that of the scene's bodies, or `particles`.
 State make_state(Scene scene, const RunOptions& options, const Particles* particles = nullptr);
+/// The threads of a run. Errors: SceneError for fewer than one or more than there are cores.
+Team make_team(const RunOptions& options);
 /// All soil has been made: from here on this is the part of it that the reduction leaves.
 void take_part(State& state);
 void set_material_constants(State& state);  ///< for the strength reduction of the current stage

@@ -148,6 +148,15 @@ Simulation Simulation::clone() const {
   Simulation copy(*this);
   return copy;
 }
+Simulation Simulation::clone(const RunOptions& options) const {
+  Simulation copy(*this);
+  State& state = copy.impl_->state;
+  state.team = make_team(options);
+  state.options.threads = options.threads;
+  state.options.oversubscribe = options.oversubscribe;
+  state.options.stop = options.stop;
+  return copy;
+}
 Simulation::Simulation(const Simulation& other)
     : impl_(std::make_unique<Impl>(owned(other.impl_))) {}
 
@@ -285,6 +294,7 @@ double Simulation::acoustic_cfl_limit() const { return owned(impl_).state.limits
 double Simulation::lattice_moment() const { return owned(impl_).state.lattice_moment; }
 std::string Simulation::isa() const { return owned(impl_).state.kernels.table->name; }
 int Simulation::threads() const { return owned(impl_).state.team.most(); }
+int Simulation::threads_in_use() const { return owned(impl_).state.team.threads(); }
 const RunOptions& Simulation::options() const { return owned(impl_).state.options; }
 std::size_t Simulation::memory_bytes() const {
   const State& s = owned(impl_).state;

@@ -81,6 +81,9 @@ class Simulation {
   [[nodiscard]] std::vector<PhaseInfo> phases() const;
   /// An independent copy that goes on from here bit for bit.
   [[nodiscard]] Simulation clone() const;
+  /// The same, with the threads and the question whether to stop of `options`; instruction set and
+  /// reduction are those of this simulation. Errors: SceneError as of the constructor.
+  [[nodiscard]] Simulation clone(const RunOptions& options) const;
   /// The complete state, to be kept in a file (`engine/output/checkpoint_file.hpp`); taking one
   /// changes nothing.
   [[nodiscard]] Snapshot snapshot() const;
@@ -133,8 +136,9 @@ class Simulation {
   [[nodiscard]] double acoustic_cfl_limit() const;
   [[nodiscard]] double lattice_moment()
       const;  ///< M of the undisturbed lattice for this smoothing function
-  [[nodiscard]] std::string isa() const;  ///< the instruction set in use
-  [[nodiscard]] int threads() const;      ///< that a step may have
+  [[nodiscard]] std::string isa() const;     ///< the instruction set in use
+  [[nodiscard]] int threads() const;         ///< that a step may have
+  [[nodiscard]] int threads_in_use() const;  ///< that the next step has
   [[nodiscard]] const RunOptions& options() const;
   [[nodiscard]] std::size_t memory_bytes()
       const;  ///< state, records, walls, images, cells and lists

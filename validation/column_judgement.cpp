@@ -108,7 +108,7 @@ void report_change(CaseRun& run, const std::string& who,
     run.add(reported(who + what + ", estimated error at the finest spacing", estimate.error[2], "",
                      estimate.trend == Trend::converging ? "converging" : "order outside limits"));
   };
-  report("run-out", &ColumnDeposit::run_out);
+  report("run-out to 99.5 % of the volume", &ColumnDeposit::run_out);
   report("height", &ColumnDeposit::height);
 }
 
@@ -138,10 +138,13 @@ void judge(CaseRun& run, const std::string& who, const std::vector<ColumnDeposit
   }
   run.add(reported(who + "run-out over Lube's law - 1", judged / laws.lube.at(a) - 1.0, "",
                    laws.over_run));
-  run.add(
-      reported(who + "run-out to where the deposit is one grain high", finest.grain_run_out, ""));
-  run.add(reported(who + "run-out to 99.5 % of the volume", finest.run_out, "",
-                   "with the loose grains ahead of the deposit"));
+  if (by_grain) {
+    run.add(reported(who + "run-out to 99.5 % of the volume", finest.run_out, "",
+                     "with the loose grains ahead of the deposit"));
+  } else {
+    run.add(
+        reported(who + "run-out to where the deposit is one grain high", finest.grain_run_out, ""));
+  }
   run.add(reported(who + "run-out of the connected deposit", finest.connected_run_out, ""));
   if (a <= plan.height_kept_to) {
     const double layer = finest.spacing / finest.width;

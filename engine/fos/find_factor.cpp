@@ -5,6 +5,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/fos/displacement.hpp"
+#include "engine/fos/side_by_side.hpp"
 #include "engine/fos/strength_reduction.hpp"
 
 namespace scarp {
@@ -56,10 +57,12 @@ FactorOfSafety find_factor(StrengthReduction& slope, const SearchOptions& search
     if (done) done(found, trial);
   };
   for (const Trial& trial : known) take(trial);
+  SideBySide trials(slope);
   find_limit(
       search,
       [&](double reduction) -> std::optional<Outcome> {
-        const std::optional<Trial> trial = slope.respond(reduction, proceed);
+        const std::optional<Trial> trial =
+            trials.respond(reduction, likely_next(search, outcomes, reduction), proceed);
         if (!trial) return {};
         take(*trial);
         return outcomes.back();

@@ -100,6 +100,20 @@ std::optional<double> next_factor(const SearchOptions& options,
   return aim(options.tolerance, bracket, *expected);
 }
 
+std::optional<double> likely_next(const SearchOptions& options,
+                                  const std::vector<Outcome>& outcomes, double factor) {
+  Outcome likely{factor};
+  if (!outcomes.empty()) {
+    const std::optional<double> limit = expected_limit(outcomes);
+    if (!limit) return {};
+    likely.fails = factor > *limit;
+    if (likely.fails) likely.excess = factor / *limit - 1.0;
+  }
+  std::vector<Outcome> then = outcomes;
+  then.push_back(likely);
+  return next_factor(options, then);
+}
+
 int trials_left(const SearchOptions& options, const Bracket& bracket) {
   const bool closed = bracket.stands && bracket.fails;
   const double low = closed ? *bracket.stands : 1.0;

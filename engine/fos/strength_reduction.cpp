@@ -25,9 +25,6 @@ constexpr std::uint64_t sample_steps = 10;
 /// limit.
 constexpr double way_margin = 3.0;
 
-/// Levels of a cut are kept as long as they take no more memory [bytes]; one always.
-constexpr std::size_t memory_of_levels = std::size_t{1} << 30;
-
 }  // namespace
 
 bool settle(Simulation& simulation, const Proceed& proceed) {
@@ -115,62 +112,39 @@ Simulation StrengthReduction::reduced(double reduction, double duration) const {
   return simulation;
 }
 
-/// The longest way kept with which a cut by these stages begins; null: there is none.
-const StrengthReduction::Level* StrengthReduction::deepest_level(
-    const std::vector<Stage>& stages) const {
-  const Level* deepest = nullptr;
-  for (const Level& level : levels_) {
-    const bool begins = level.way.size() < stages.size() &&
-                        std::equal(level.way.begin(), level.way.end(), stages.begin(),
-                                   [](const StageStrength& strength, const Stage& stage) {
-                                     return strength == strength_of(stage);
-                                   });
-    if (begins && (deepest == nullptr || level.way.size() > deepest->way.size())) deepest = &level;
-  }
-  return deepest;
-}
-
-void StrengthReduction::keep_level(const Simulation& now, double displacement) {
+std::vector<StageStrength> StrengthReduction::way_to(const Simulation& now) const {
   std::vector<StageStrength> way;
   for (std::size_t s = settled_.stage_index() + 1; s <= now.stage_index(); ++s)
     way.push_back(strength_of(now.scene().stages[s]));
-  const auto kept = [&way](const Level& level) { return level.way == way; };
-  if (std::any_of(levels_.begin(), levels_.end(), kept)) return;
-  const std::size_t most = std::max<std::size_t>(1, memory_of_levels / now.memory_bytes());
-  if (levels_.size() >= most) levels_.erase(levels_.begin());
-  levels_.push_back({std::move(way), now.clone(), displacement});
-}
-
-/// Away with levels that no trial will begin from after this one: those beyond a factor that fails,
-/// those before the last on the way to one that stands.
-void StrengthReduction::forget_levels(const Trial& trial) {
-  const std::vector<Stage> stages = stages_to(strength_after(trial.reduction), 1.0);
-  const auto shared = [&stages](const Level& level) {
-    return level.way.size() < stages.size() &&
-           level.way.back() == strength_of(stages[level.way.size() - 1]);
-  };
-  const Level* last = trial.fails ? nullptr : deepest_level(stages);
-  const std::size_t length = last == nullptr ? 0 : last->way.size();
-  std::erase_if(levels_, [&](const Level& level) {
-    return trial.fails ? !shared(level) : shared(level) && level.way.size() < length;
-  });
+  return way;
 }
 
 /// A copy of the state from which a cut by these stages has to go on, with the stages that are
 /// left.
-StrengthReduction::Begun StrengthReduction::begin(const std::vector<Stage>& stages) const {
-  const Level* level = deepest_level(stages);
-  const std::size_t done = level == nullptr ? 0 : level->way.size();
-  Begun begun{level == nullptr ? settled_.clone() : level->state.clone(),
-              level == nullptr ? 0.0 : level->displacement};
+CutState StrengthReduction::begin(const std::vector<Stage>& stages,
+                                  const RunOptions& options) const {
+  const CutState* kept = levels_.deepest(stages);
+  CutState begun = kept == nullptr
+                       ? CutState{{}, settled_.clone(options)}
+                       : CutState{kept->way, kept->state.clone(options), kept->displacement};
   begun.state.set_following_stages(
-      {stages.begin() + static_cast<std::ptrdiff_t>(done), stages.end()});
+      {stages.begin() + static_cast<std::ptrdiff_t>(begun.way.size()), stages.end()});
   return begun;
+}
+
+BegunTrial StrengthReduction::begin(const StageStrength& end, double reduction,
+                                    const RunOptions& options) const {
+  return {end, reduction, begin(stages_to(end, criterion_.window), options)};
+}
+
+BegunTrial StrengthReduction::begin(double reduction, const RunOptions& options) const {
+  return begin(strength_after(reduction), reduction, options);
 }
 
 std::optional<Simulation> StrengthReduction::before_last_cut(double reduction, double duration,
                                                              const Proceed& proceed) {
-  Simulation simulation = begin(stages_to(strength_after(reduction), duration)).state;
+  Simulation simulation =
+      begin(stages_to(strength_after(reduction), duration), settled_.options()).state;
   const std::size_t last = simulation.scene().stages.size() - 2;
   const auto there = [last](const Simulation& now) {
     return now.stage_index() == last && now.stage_ended();
@@ -180,20 +154,24 @@ std::optional<Simulation> StrengthReduction::before_last_cut(double reduction, d
   return simulation;
 }
 
-std::optional<Trial> StrengthReduction::run(const StageStrength& end, double reduction,
-                                            const Proceed& proceed) {
+std::optional<TrialResponse> StrengthReduction::run(BegunTrial begun, const Proceed& proceed) const {
   const auto start = Clock::now();
-  Begun begun = begin(stages_to(end, criterion_.window));
-  Simulation& simulation = begun.state;
-  Trial trial;
-  trial.reduction = reduction;
-  trial.displacement = begun.displacement;
+  Simulation& simulation = begun.from.state;
+  TrialResponse response;
+  Trial& trial = response.trial;
+  trial.reduction = begun.reduction;
+  trial.displacement = begun.from.displacement;
   const std::size_t held = simulation.scene().stages.size() - 1;
   const std::uint64_t first_step = simulation.last_step().step,
                       settled_step = settled_.last_step().step;
   const double limit = criterion_.elastic + criterion_.limit;
   Rate rate(criterion_.span);
   bool over = false, goes_on = true;
+  const auto keep = [&](const Simulation& now) {
+    if (response.levels.size() >= most_cut_states(now))
+      response.levels.erase(response.levels.begin());
+    response.levels.push_back({way_to(now), now.clone(), trial.displacement});
+  };
   const auto judge = [&](const Simulation& now) {
     const bool holds = now.stage_index() == held;
     const bool sampled =
@@ -208,7 +186,7 @@ std::optional<Trial> StrengthReduction::run(const StageStrength& end, double red
     if (trial.displacement > limit) {
       trial.fails = over = true;
       trial.end = TrialEnd::limit_crossed;
-      trial.reduction = reduction_reached(now.scene().stages[now.stage_index()], reduction);
+      trial.reduction = reduction_reached(now.scene().stages[now.stage_index()], begun.reduction);
     } else if (now.finished()) {
       over = true;
       trial.end = TrialEnd::window_over;
@@ -216,7 +194,7 @@ std::optional<Trial> StrengthReduction::run(const StageStrength& end, double red
       over = true;
       trial.end = TrialEnd::came_to_rest;
     } else if (!holds && now.stage_ended()) {
-      keep_level(now, trial.displacement);
+      keep(now);
     }
     goes_on = !proceed || proceed(now);
     return goes_on;
@@ -228,15 +206,16 @@ std::optional<Trial> StrengthReduction::run(const StageStrength& end, double red
   trial.steps = simulation.last_step().step - first_step;
   trial.speed = speed(simulation);
   trial.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  return trial;
+  return response;
 }
 
 std::optional<Trial> StrengthReduction::measure_elastic(const Proceed& proceed) {
   const std::optional<double> own = settled_reduction(settled_.scene());
-  std::optional<Trial> trial = run(strength_before(), own.value_or(1.0), proceed);
-  if (!trial || trial->fails) return trial;
-  take_elastic(*trial);
-  return trial;
+  std::optional<TrialResponse> response =
+      run(begin(strength_before(), own.value_or(1.0), settled_.options()), proceed);
+  if (!response) return {};
+  if (!response->trial.fails) take_elastic(response->trial);
+  return response->trial;
 }
 
 void StrengthReduction::take_elastic(const Trial& trial) {
@@ -244,18 +223,28 @@ void StrengthReduction::take_elastic(const Trial& trial) {
   elastic_ = trial;
 }
 
+bool StrengthReduction::is_elastic(double reduction) const {
+  return elastic_ && settled_reduction(settled_.scene()) == reduction &&
+         settled_.scene().stages.back().material_strength_reduction.empty();
+}
+
+Trial StrengthReduction::take(TrialResponse response) {
+  levels_.keep(std::move(response.levels));
+  const Trial& trial = response.trial;
+  levels_.forget(stages_to(strength_after(trial.reduction), criterion_.window), trial.fails);
+  return trial;
+}
+
 std::optional<Trial> StrengthReduction::respond(double reduction, const Proceed& proceed) {
-  const bool same = elastic_ && settled_reduction(settled_.scene()) == reduction &&
-                    settled_.scene().stages.back().material_strength_reduction.empty();
-  if (same) {  // has been run already
+  if (is_elastic(reduction)) {  // has been run already
     Trial trial = *elastic_;
     trial.steps = 0;
     trial.wall_s = 0.0;
     return trial;
   }
-  std::optional<Trial> trial = run(strength_after(reduction), reduction, proceed);
-  if (trial) forget_levels(*trial);
-  return trial;
+  std::optional<TrialResponse> response = run(begin(reduction, settled_.options()), proceed);
+  if (!response) return {};
+  return take(std::move(*response));
 }
 
 }  // namespace scarp

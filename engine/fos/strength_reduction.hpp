@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/fos/cut.hpp"
+#include "engine/fos/cut_states.hpp"
 #include "engine/fos/limit_search.hpp"
 #include "engine/simulation.hpp"
 
@@ -66,6 +67,19 @@ using Proceed = std::function<bool(const Simulation&)>;
 /// `Simulation::step()`.
 bool settle(Simulation& simulation, const Proceed& proceed);
 
+/// A trial that is yet to run, with its own copy of the state that it goes on from.
+struct BegunTrial {
+  StageStrength end;
+  double reduction = 1.0;
+  CutState from;
+};
+
+/// A trial that has run, and states on its way that others may begin from.
+struct TrialResponse {
+  Trial trial;
+  std::vector<CutState> levels;
+};
+
 /// A settled state and the criterion that its reductions are judged by.
 class StrengthReduction {
  public:
@@ -86,6 +100,15 @@ class StrengthReduction {
   /// the trial of the factor that the cut had come to. Empty: asked to stop. Errors:
   /// SimulationInstability.
   std::optional<Trial> respond(double reduction, const Proceed& proceed);
+
+  /// The three parts of `respond`, for trials side by side: `run` may go on in another thread while
+  /// this one does anything else with this object but `measure_elastic` and `take_elastic`.
+  /// `options`: threads of the trial, and whether it is to stop.
+  BegunTrial begin(double reduction, const RunOptions& options) const;
+  std::optional<TrialResponse> run(BegunTrial begun, const Proceed& proceed) const;
+  Trial take(TrialResponse response);
+  /// Whether `respond` knows the answer: it is the elastic response.
+  bool is_elastic(double reduction) const;
 
   /// A copy of the settled state with the strength cut by `reduction`, then held for `duration`
   /// [s].
@@ -108,32 +131,20 @@ class StrengthReduction {
   const Criterion& criterion() const { return criterion_; }
 
  private:
-  /// A state on the way of a cut, at the end of a level.
-  struct Level {
-    std::vector<StageStrength> way;  ///< to here
-    Simulation state;
-    double displacement;  ///< largest of the judged point so far [m]
-  };
-  struct Begun {
-    Simulation state;
-    double displacement;  ///< as in Level; 0 in the settled state
-  };
   StageStrength strength_before() const;
   StageStrength strength_after(double reduction) const;
   double reduction_reached(const Stage& stage, double wanted) const;
   std::vector<Stage> stages_to(const StageStrength& end, double duration) const;
-  const Level* deepest_level(const std::vector<Stage>& stages) const;
-  Begun begin(const std::vector<Stage>& stages) const;
-  void keep_level(const Simulation& now, double displacement);
-  void forget_levels(const Trial& trial);
-  std::optional<Trial> run(const StageStrength& end, double reduction, const Proceed& proceed);
+  CutState begin(const std::vector<Stage>& stages, const RunOptions& options) const;
+  BegunTrial begin(const StageStrength& end, double reduction, const RunOptions& options) const;
+  std::vector<StageStrength> way_to(const Simulation& now) const;
   double speed(const Simulation& simulation) const;
 
   Simulation settled_;
   Criterion criterion_;
   std::vector<double> position_;  ///< of the settled state
   std::optional<Trial> elastic_;
-  std::vector<Level> levels_;
+  CutStates levels_;
 };
 
 /// The settled state's own factor, if one holds for all materials.

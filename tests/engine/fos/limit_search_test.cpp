@@ -121,6 +121,26 @@ TEST(LimitSearch, GoesOnFromAnyTrialAsIfItHadNotStopped) {
   }
 }
 
+/// Where failures tell the truth, what is likely comes next; nothing is said where nothing is
+/// known.
+TEST(LimitSearch, TellsWhatComesNextAsARule) {
+  const SearchOptions options;
+  EXPECT_EQ(likely_next(options, {}, 1.0), 1.5);
+  EXPECT_FALSE(likely_next(options, {{1.0}}, 1.5));
+  EXPECT_FALSE(likely_next(options, {{1.0}, {1.5, true}}, 1.25)) << "1.5 has told nothing";
+  Response response{1.377, {}, 1.0};
+  std::vector<Outcome> outcomes{response(1.0), response(1.5)};
+  std::size_t right = 0, asked = 0;
+  while (const std::optional<double> next = next_factor(options, outcomes)) {
+    const std::optional<double> likely = likely_next(options, outcomes, *next);
+    outcomes.push_back(response(*next));
+    ++asked;
+    right += likely == next_factor(options, outcomes);
+  }
+  EXPECT_EQ(asked, 2U);
+  EXPECT_EQ(right, asked);
+}
+
 TEST(LimitSearch, StopsWhenToldAndKeepsTheBracketSoFar) {
   int asked = 0;
   const Bracket bracket = find_limit({}, [&](double reduction) -> std::optional<Outcome> {

@@ -252,6 +252,49 @@ TEST(StrengthReductionTest, TheFactorIsThatOfHalvingWithWholeTrials) {
   EXPECT_LE(found.trials.size(), 6U);  // halving takes 2 + 4
 }
 
+/// What a search has found, and the steps that it was told of.
+struct Heard {
+  std::uint64_t steps = 0;
+  FactorOfSafety found;
+};
+Heard search_with_threads(int threads, std::uint64_t most_steps) {
+  RunOptions options;
+  options.threads = threads;
+  options.oversubscribe = true;
+  Simulation simulation(coarse_slope(), options);
+  EXPECT_TRUE(settle(simulation, {}));
+  StrengthReduction slope(std::move(simulation), choose_criterion(coarse_slope(), {}));
+  Heard heard;
+  heard.found = find_factor(slope, {1.2, 1.6, 0.02},
+                            [&](const Simulation&) { return ++heard.steps < most_steps; });
+  return heard;
+}
+
+/// The slope is a single chunk of particles, so two trials share two threads. What runs ahead is
+/// not heard of until it is waited for, so fewer steps are heard of.
+TEST(StrengthReductionTest, TrialsSideBySideAreThoseOneByOne) {
+  constexpr std::uint64_t all = 1000000;
+  const Heard alone = search_with_threads(1, all), beside = search_with_threads(2, all);
+  ASSERT_EQ(alone.found.trials.size(), beside.found.trials.size());
+  for (std::size_t k = 0; k < alone.found.trials.size(); ++k) {
+    const Trial &one = alone.found.trials[k], &two = beside.found.trials[k];
+    EXPECT_EQ(one.reduction, two.reduction);
+    EXPECT_EQ(one.fails, two.fails);
+    EXPECT_EQ(one.displacement, two.displacement);
+    EXPECT_EQ(one.speed, two.speed);
+    EXPECT_EQ(one.time, two.time);
+  }
+  EXPECT_TRUE(beside.found.bracket.complete);
+  EXPECT_LT(beside.steps, alone.steps) << "none ran ahead";
+}
+
+TEST(StrengthReductionTest, ATrialThatRunsAheadStopsWithTheSearch) {
+  const std::uint64_t elastic = search_with_threads(1, 1000000).found.elastic.steps;
+  const Heard stopped = search_with_threads(2, elastic + 10);
+  EXPECT_EQ(stopped.found.trials.size(), 0U);
+  EXPECT_EQ(stopped.steps, elastic + 10);
+}
+
 /// It fails long before the strength is down there.
 TEST(StrengthReductionTest, ASlopeThatFailsOnTheWayIsATrialOfTheFactorReached) {
   StrengthReduction slope = settled_slope(coarse_slope());

@@ -11,26 +11,13 @@
 #include <numbers>
 
 #include "engine/errors.hpp"
+#include "tests/support/filled_bodies.hpp"
 
 namespace scarp {
 namespace {
 
-Scene scene_of(int dimension, double spacing, std::vector<Body> bodies) {
-  Scene scene;
-  scene.dimension = dimension;
-  scene.spacing = spacing;
-  scene.gravity = dimension == 2 ? Vec3{0.0, -9.81, 0.0} : Vec3{0.0, 0.0, -9.81};
-  scene.materials = {{.name = "clay"}, {.name = "rock"}};
-  scene.bodies = std::move(bodies);
-  for (Body& body : scene.bodies) {
-    if (body.material.empty()) body.material = "clay";
-  }
-  return scene;
-}
-
-Particles fill(int dimension, double spacing, std::vector<Body> bodies) {
-  return generate_soil(scene_of(dimension, spacing, std::move(bodies)));
-}
+using test::fill;
+using test::scene_of;
 
 std::string error_of(const Scene& scene) {
   try {

@@ -8,27 +8,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/particles/generate.hpp"
+#include "tests/support/filled_bodies.hpp"
 
 namespace scarp {
 namespace {
 
-Scene scene_of(int dimension, double spacing, std::vector<Body> bodies) {
-  Scene scene;
-  scene.dimension = dimension;
-  scene.spacing = spacing;
-  scene.gravity = dimension == 2 ? Vec3{0.0, -9.81, 0.0} : Vec3{0.0, 0.0, -9.81};
-  scene.materials = {{.name = "clay"}, {.name = "rock"}};
-  scene.bodies = std::move(bodies);
-  for (Body& body : scene.bodies) {
-    if (body.material.empty()) body.material = "clay";
-  }
-  return scene;
-}
-
-Particles fill(int dimension, double spacing, std::vector<Body> bodies) {
-  return generate_soil(scene_of(dimension, spacing, std::move(bodies)));
-}
+using test::fill;
 
 /// A parallelogram along `u` and `v` from `corner`, all in spacings of 0.1 m.
 Polygon parallelogram(std::array<double, 2> corner, std::array<double, 2> u,

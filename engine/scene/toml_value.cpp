@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <ostream>
-#include <streambuf>
+#include <sstream>
 
 #include "engine/plain_text.hpp"
 #include "engine/scene/not_supported.hpp"
@@ -50,6 +48,53 @@ std::string advice(std::string_view path, std::string_view word, const Names& kn
   return missing.empty() ? did_you_mean(word, known) : std::string(missing);
 }
 
+void append(std::string& text, const toml::node& node, std::size_t enough);
+
+void append(std::string& text, const toml::array& array, std::size_t enough) {
+  text += '[';
+  for (const toml::node& element : array) {
+    if (text.size() > enough) return;
+    if (&element != &array.front()) text += ", ";
+    append(text, element, enough);
+  }
+  text += ']';
+}
+
+void append(std::string& text, const toml::table& table, std::size_t enough) {
+  text += '{';
+  bool first = true;
+  for (const auto& [key, value] : table) {
+    if (text.size() > enough) return;
+    if (!first) text += ", ";
+    first = false;
+    text += std::string(key.str()) + " = ";
+    append(text, value, enough);
+  }
+  text += '}';
+}
+
+/// As it would be written in one line, with the fewest digits that tell a number; what lies beyond
+/// `enough` letters is left out, as a node may be the whole file.
+void append(std::string& text, const toml::node& node, std::size_t enough) {
+  if (const toml::array* array = node.as_array()) return append(text, *array, enough);
+  if (const toml::table* table = node.as_table()) return append(text, *table, enough);
+  if (const auto* real = node.as_floating_point()) {
+    const std::string digits = fmt::format("{}", real->get());
+    const bool whole = digits.find_first_not_of("-0123456789") == std::string::npos;
+    text += digits + (whole ? ".0" : "");
+    return;
+  }
+  if (const auto* letters = node.as_string()) {
+    text += '\'' + letters->get().substr(0, enough) + '\'';
+    return;
+  }
+  std::ostringstream stream;
+  node.visit([&stream](const auto& typed) {
+    if constexpr (!toml::is_container<decltype(typed)>) stream << typed;
+  });
+  text += stream.str();
+}
+
 std::vector<std::string> split(std::string_view choices) {
   std::vector<std::string> names;
   std::size_t begin = 0;
@@ -78,15 +123,10 @@ std::string one_line(std::string_view raw, std::size_t longest) {
 }
 
 std::string shown(const toml::node& node) {
-  // A node may be the whole file; what lies beyond the buffer is not written.
-  struct Beginning : std::streambuf {
-    std::array<char, 512> letters;
-    Beginning() { setp(letters.data(), letters.data() + letters.size()); }
-    std::string_view text() const { return {pbase(), static_cast<std::size_t>(pptr() - pbase())}; }
-  } beginning;
-  std::ostream stream(&beginning);
-  node.visit([&stream](const auto& typed) { stream << typed; });
-  return one_line(beginning.text(), 60);
+  constexpr std::size_t longest = 60;
+  std::string text;
+  append(text, node, 2 * longest);
+  return one_line(text, longest);
 }
 
 int line_of(const toml::node& node) {

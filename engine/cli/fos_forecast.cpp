@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Trials to come times the steps or the time of one.
+/// What searches take as a rule, and at most.
 #include "engine/cli/fos_forecast.hpp"
 
 #include <fmt/format.h>
 
+#include "engine/check/forecast.hpp"
 #include "engine/check/trial.hpp"
 #include "engine/cli/search_progress.hpp"
 #include "engine/plain_text.hpp"
 
 namespace scarp::cli {
 
+double trials_together(const Criterion& criterion) {
+  const double to_the_end = criterion.ramp + criterion.window;
+  return criterion.early_stop ? to_the_end : 2.0 * to_the_end;
+}
+
 std::string search_forecast(const Simulation& start, const Criterion& criterion,
                             const SearchOptions& search) {
+  constexpr double timed = 0.5;     // [s]
+  constexpr double patience = 0.3;  // of a rehearsal: a second
   Simulation copy = start.clone();
-  const check::Trial steps = check::try_steps(copy, 0.5);
-  const Scene& scene = start.scene();
-  double settling = 0.0;
-  for (std::size_t s = 0; s + 1 < scene.stages.size(); ++s)
-    settling += scene.stages[s].duration.value_or(0.0);
+  const check::Trial steps = check::try_steps(copy, timed);
+  Scene settling = start.scene();
+  settling.stages.pop_back();
+  const check::Forecast settles = check::forecast(settling, start.options(), steps, patience);
   const double seconds = steps.seconds_per_step / steps.time_step;  // a simulated second
-  const double one = (criterion.ramp + criterion.window) * seconds;
-  const int trials = 1 + trials_left(search, {});  // the elastic response first
-  return fmt::format(
-      "expected at most: {} to settle ({:.3g} s), {} trials of {} ({:.3g} s each), {} in all; "
-      "slopes "
-      "that rest or fail early take less",
-      readable_duration(settling * seconds), settling, trials, readable_duration(one),
-      criterion.ramp + criterion.window, readable_duration(settling * seconds + trials * one));
+  const double trials = trials_together(criterion) * seconds;
+  const double most = check::longest_duration(settling) * seconds +
+                      (1 + trials_left(search, {})) * (criterion.ramp + criterion.window) * seconds;
+  return fmt::format("expected: {} to settle and {} for all trials; at most {}",
+                     readable_duration(settles.wall_s), readable_duration(trials),
+                     readable_duration(most));
 }
 
 std::string time_left(const SearchOptions& search, const FactorOfSafety& found) {

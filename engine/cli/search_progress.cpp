@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/cli/fos_forecast.hpp"
 #include "engine/run/run.hpp"
 
 namespace scarp::cli {
@@ -35,20 +36,23 @@ void SearchProgress::learn(const FactorOfSafety& found) { found_ = found; }
 
 WholeWork SearchProgress::whole(bool settling) const {
   if (showing_failure_) return {"the failure, for its figures"};
-  const double trial_time = criterion_.ramp + criterion_.window;
-  const int left = trials_left(search_, found_.bracket);
-  if (settling) {  // the elastic response comes before the trials
-    return {"settling",
-            [trials = left + 1, trial_time, settling_time = settling_time_](double run) {
-              return settling_time > 0.0 ? trials * trial_time * run / settling_time : 0.0;
+  const double together = trials_together(criterion_);
+  if (settling) {
+    return {"settling", [together, settling_time = settling_time_](double run) {
+              return settling_time > 0.0 ? together * run / settling_time : 0.0;
             }};
   }
+  const int left = trials_left(search_, found_.bracket);
   const std::size_t done = found_.trials.size();
+  if (const std::optional<double> mean = seconds_per_trial(found_); mean && done > 0) {
+    return {fmt::format("trial {} of about {}", done + 1, done + left),
+            [after = (left - 1) * *mean](double) { return after; }};
+  }
+  // What the first runs take is not known before they end.
+  const double one = criterion_.ramp + criterion_.window;
   const bool elastic = !(found_.elastic.wall_s > 0.0);
-  const int after = elastic ? left : left - 1;
-  return {
-      elastic ? "elastic response" : fmt::format("trial {} of about {}", done + 1, done + left),
-      [after, mean = seconds_per_trial(found_)](double run) { return after * mean.value_or(run); }};
+  return {elastic ? "elastic response" : fmt::format("trial 1 of about {}", left),
+          [share = together / one](double run) { return share * run; }};
 }
 
 std::optional<double> seconds_per_trial(const FactorOfSafety& found) {

@@ -10,7 +10,7 @@
 namespace scarp::cli {
 
 /// Lines for each run of a search, begun at its first step, with what the trials to come may take:
-/// as long as those that have been, and before there are any as long as the run at hand would.
+/// as long as those that have been, and before there are any what all take together as a rule.
 class SearchProgress {
  public:
   /// `to_settle`: the scene, if it is settled first.

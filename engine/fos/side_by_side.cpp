@@ -6,6 +6,8 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <new>
+#include <system_error>
 
 #include "engine/parallel.hpp"
 #include "engine/stop.hpp"
@@ -57,7 +59,8 @@ SideBySide::SideBySide(StrengthReduction& slope)
     : slope_(slope), half_team_(half_team(slope.settled())) {}
 SideBySide::~SideBySide() = default;
 
-std::unique_ptr<SideBySide::Ahead> SideBySide::begin(double reduction) const {
+/// Null where there is no memory or no thread for it: then trials run one by one.
+std::unique_ptr<SideBySide::Ahead> SideBySide::begin(double reduction) const try {
   RunOptions options = with_threads(slope_.settled().options(), *half_team_);
   options.stop = {};  // it is given up by whoever waits for it, in the thread that may ask
   auto ahead = std::make_unique<Ahead>(reduction);
@@ -68,6 +71,10 @@ std::unique_ptr<SideBySide::Ahead> SideBySide::begin(double reduction) const {
                          [&self](const Simulation& now) { return self.goes_on(now); });
       });
   return ahead;
+} catch (const std::bad_alloc&) {
+  return nullptr;
+} catch (const std::system_error&) {
+  return nullptr;
 }
 
 std::optional<Trial> SideBySide::respond(double reduction, std::optional<double> next,
@@ -75,8 +82,7 @@ std::optional<Trial> SideBySide::respond(double reduction, std::optional<double>
   const std::unique_ptr<Ahead> running = std::move(ahead_);
   const bool runs = running && running->reduction == reduction;
   if (running && !runs) running->wanted = false;
-  const bool goes_ahead = half_team_ && next && !slope_.is_elastic(*next);
-  if (goes_ahead) ahead_ = begin(*next);
+  if (half_team_ && next && !slope_.is_elastic(*next)) ahead_ = begin(*next);
   if (slope_.is_elastic(reduction)) return slope_.respond(reduction, proceed);
   const RunOptions& options = slope_.settled().options();
   std::optional<TrialResponse> response;
@@ -87,8 +93,7 @@ std::optional<Trial> SideBySide::respond(double reduction, std::optional<double>
     response = running->response.get();
   } else {
     response = slope_.run(
-        slope_.begin(reduction, goes_ahead ? with_threads(options, *half_team_) : options),
-        proceed);
+        slope_.begin(reduction, ahead_ ? with_threads(options, *half_team_) : options), proceed);
   }
   if (!response) return {};
   return slope_.take(std::move(*response));

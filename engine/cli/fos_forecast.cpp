@@ -11,11 +11,6 @@
 
 namespace scarp::cli {
 
-double trials_together(const Criterion& criterion) {
-  const double to_the_end = criterion.ramp + criterion.window;
-  return criterion.early_stop ? to_the_end : 2.0 * to_the_end;
-}
-
 std::string search_forecast(const Simulation& start, const Criterion& criterion,
                             const SearchOptions& search) {
   constexpr double timed = 0.5;     // [s]

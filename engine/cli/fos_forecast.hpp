@@ -8,11 +8,6 @@
 
 namespace scarp::cli {
 
-/// Simulated time of the elastic response and all trials of a search together [s], as a rule: that
-/// of one trial that runs to the end of its window (0.8 to 1.2 of it in searches of seven slopes),
-/// twice that where a soil softens (2.0 in one).
-double trials_together(const Criterion& criterion);
-
 /// A sentence, from half a second of steps on a copy and a rehearsal of the settling on a coarse
 /// lattice: what is expected, and settling and trials at their longest.
 std::string search_forecast(const Simulation& start, const Criterion& criterion,

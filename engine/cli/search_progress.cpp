@@ -4,10 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "engine/cli/fos_forecast.hpp"
 #include "engine/run/run.hpp"
 
 namespace scarp::cli {
+
+double trials_together(const Criterion& criterion) {
+  const double to_the_end = criterion.ramp + criterion.window;
+  return criterion.early_stop ? to_the_end : 2.0 * to_the_end;
+}
 
 SearchProgress::SearchProgress(const Scene* to_settle, const Criterion& criterion,
                                const SearchOptions& search, bool quiet)

@@ -9,6 +9,11 @@
 
 namespace scarp::cli {
 
+/// Simulated time of the elastic response and all trials of a search together [s], as a rule: that
+/// of one trial that runs to the end of its window (0.8 to 1.2 of it in searches of seven slopes),
+/// twice that where a soil softens (2.0 in one).
+double trials_together(const Criterion& criterion);
+
 /// Lines for each run of a search, begun at its first step, with what the trials to come may take:
 /// as long as those that have been, and before there are any what all take together as a rule.
 class SearchProgress {

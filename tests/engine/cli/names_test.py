@@ -152,7 +152,7 @@ class NamesTest(unittest.TestCase):
             self.write(b"scene.toml", name + "</h1>", name)
             done = self.scarp("run", "scene.toml", "-o", "out", "--overwrite", "--quiet", "--threads", "1")
             self.assertEqual(done.returncode, 0, (name, done.stderr))
-            done = self.scarp("report", "out")
+            done = self.scarp("report", "out", "--quiet")  # progress is told where figures take long
             # A label that a figure leaves out is told in a warning.
             self.assertEqual((done.returncode, done.stderr), (0, b""), name)
             scripts.add(self.expect_harmless_page(self.folder / "out" / "report.html", name, name + "</h1>"))

@@ -10,11 +10,10 @@
 #include <cmath>
 #include <random>
 
-#include "engine/boundary/facet_geometry.hpp"
 #include "engine/check/stability_margin.hpp"
 #include "engine/errors.hpp"
 #include "engine/setup.hpp"
-#include "engine/watch/watch.hpp"
+#include "validation/stability/wall_passages.hpp"
 #include "validation/stress_noise.hpp"
 
 namespace scarp::validation {
@@ -46,40 +45,6 @@ Simulation start_of(const Cell& cell, const RunOptions& options) {
     changed.add(std::move(item));
   }
   return Simulation(cell.scene, changed, options);
-}
-
-/// Whether another face lies between, from which the point has come out again.
-bool beyond_thin_wall(const Scene& scene, const Facet& facet, const Vec3& point, double depth) {
-  const Vec3 foot = geometry::plus(point, depth, facet.normal);
-  for (const Wall& wall : scene.walls) {
-    for (const Facet& other : wall.facets) {
-      if (&other != &facet && geometry::comes_out(other, 2, foot, point, 0.0)) return true;
-    }
-  }
-  return false;
-}
-
-/// Grains deeper behind a face than any face holds, and no deeper than its dummies reach.
-double grains_behind_faces(const Simulation& simulation) {
-  const Scene& scene = simulation.scene();
-  const double dx = scene.spacing;
-  const std::string stage = scene.stages[simulation.stage_index()].name;
-  const std::vector<double> position = simulation.field("position");
-  double lost = 0.0;
-  for (std::size_t k = 0; k < position.size(); k += 3) {
-    const Vec3 point{position[k], position[k + 1], position[k + 2]};
-    bool behind = false;
-    for (const Wall& wall : scene.walls) {
-      if (wall.removed_at == stage) continue;
-      for (const Facet& facet : wall.facets) {
-        const geometry::FacetCoordinates at = geometry::coordinates(facet, 2, point);
-        if (at.depth <= lost_depth * dx || at.depth >= 3.0 * dx || !at.above(facet, 0.0)) continue;
-        behind |= !beyond_thin_wall(scene, facet, point, at.depth);
-      }
-    }
-    lost += behind;
-  }
-  return lost;
 }
 
 /// sqrt(g H) of the soil's present height.
@@ -153,11 +118,16 @@ void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& re
   Simulation simulation = start_of(cell, options);
   record.particles = static_cast<double>(simulation.soil_count());
   std::optional<Measures> measures;
+  PassageWatch passages(simulation);
   try {
-    while (simulation.scene().stages.size() > 1 && !simulation.stage_ended()) simulation.step();
+    while (simulation.scene().stages.size() > 1 && !simulation.stage_ended()) {
+      simulation.step();
+      passages.after_step(simulation);
+    }
     if (cell.bisect) find_margin(cell, simulation, record);
     for (std::uint64_t k = 1; k <= cell.steps && !simulation.finished(); ++k) {
       simulation.step();
+      passages.after_step(simulation);
       if (!measures) measures.emplace(simulation);
       if (k % steps_per_sample == 0) measures->sample(simulation, record);
     }
@@ -168,7 +138,7 @@ void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& re
   }
   record.steps = static_cast<double>(simulation.last_step().step);
   record.residual_velocity = simulation.last_step().max_velocity;
-  record.lost = grains_behind_faces(simulation);
+  record.lost = passages.passed(simulation);
   const StressNoise noise = stress_noise(simulation);
   record.noise = noise.pressure;
   record.shear_noise = noise.shear;
@@ -179,7 +149,7 @@ void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& re
       std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); });
   if (!finite || record.lost > 0.0) {
     record.verdict = Verdict::failed;
-    record.reason = finite ? fmt::format("{} grains behind faces without a report", record.lost)
+    record.reason = finite ? fmt::format("{} grains passed a wall without a report", record.lost)
                            : std::string("numbers that are not finite without a report");
   } else if (cell.bisect && *record.stable_cfl < cell.scene.numerics.cfl) {
     record.verdict = Verdict::marginal;

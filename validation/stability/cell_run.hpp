@@ -27,7 +27,7 @@ struct CellRecord {
   double energy_gain = 0.0;  ///< most that energy exceeded its start by, over what was spent
   double density_low = 1.0, density_high = 1.0;  ///< over the reference density
   double yield_overshoot = 0.0;                  ///< largest f over the strength at that pressure
-  double lost = 0.0;                             ///< grains behind faces
+  double lost = 0.0;                             ///< grains that passed a wall
   double noise = 0.0;                            ///< of the pressure at the end, `stress_noise`
   double shear_noise = 0.0;                      ///< of the shear stress
   double residual_velocity = 0.0;                ///< fastest grain at the end [m/s]

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/check/lattice_warning.hpp"
 #include "engine/check/magnitudes.hpp"
 #include "engine/check/thin_places.hpp"
 #include "engine/check/wall_gaps.hpp"
@@ -108,6 +109,7 @@ std::vector<std::string> warnings(const Scene& scene) {
     }
   }
   check_contrast(scene, found);
+  check_lattice(scene, found);
   for (std::string& gap : wall_gaps(scene)) found.push_back(std::move(gap));
   for (std::string& place : thin_places(scene)) found.push_back(std::move(place));
   // With corrected gradients a slope still creeps after its slide at 0.6 (THEORY, section 3).

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "engine/check/stability_margin.hpp"
+#include "engine/check/warnings.hpp"
 #include "engine/errors.hpp"
 #include "engine/setup.hpp"
 #include "validation/stability/wall_passages.hpp"
@@ -159,6 +160,8 @@ void run_and_measure(const Cell& cell, const RunOptions& options, CellRecord& re
     record.verdict = Verdict::restless;
     record.reason = fmt::format("moves at {:.2g} m/s after {} steps", record.residual_velocity,
                                 simulation.last_step().step);
+    for (const std::string& warning : warnings(cell.scene))
+      record.reason += "; `scarp check` says: " + warning;
   }
 }
 

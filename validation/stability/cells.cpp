@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "validation/stability/scenes.hpp"
 
@@ -47,10 +48,11 @@ class Map {
            Precision precision) {
     Cell cell{axis.group, axis.name, point.value, axis.base(preset_name)};
     cell.bisect = axis.bisect;
-    cell.stands = axis.stands;
     cell.scene.numerics.precision = precision;
     point.change(cell);
     if (axis.settle > 0.0) set_stages(cell.scene, axis.settle);
+    cell.stands = axis.stands && can_stand(cell.scene);
+    if (cell.stands) settle_fully(cell.scene);
     if (short_) cell.steps = std::min<std::uint64_t>(cell.steps / 4, 5000);
     cells_.push_back(std::move(cell));
   }
@@ -217,11 +219,20 @@ void add_shape(Map& map) {
   map.axis({"shape", "packing", bed, true}, {{"up to 0.1 dx", packing(0.1)},
                                              {"up to 0.3 dx", packing(0.3)},
                                              {"up to 0.5 dx, random", packing(0.5), true}});
-  const auto ratio = [](double r) {
-    return [r](Cell& cell) { cell.scene.numerics.smoothing_ratio = r; };
+  const auto ratio = [](double r, std::optional<SmoothingFunction> other = {}) {
+    return [r, other](Cell& cell) {
+      Numerics& numerics = cell.scene.numerics;
+      numerics.smoothing_ratio = r;
+      if (other) numerics.smoothing = *other;
+    };
   };
+  constexpr SmoothingFunction wendland = SmoothingFunction::wendland_c2;
   map.axis({"shape", "h/dx", slope_scene, true, 300.0, false, true},
-           {{"1.0", ratio(1.0), true}, {"1.5", ratio(1.5)}, {"2.0", ratio(2.0), true}});
+           {{"1.0", ratio(1.0), true},
+            {"1.5", ratio(1.5)},
+            {"1.5, Wendland C2", ratio(1.5, wendland)},
+            {"2.0", ratio(2.0), true},
+            {"2.0, Wendland C2", ratio(2.0, wendland)}});
   const Build wedge = [](const std::string& name) {
     Scene scene = bed_scene(name, 10, 4, 0.4);
     scene.materials = {soil(20e6, 0, 30)};

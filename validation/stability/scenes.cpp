@@ -2,15 +2,29 @@
 /// The base scenes and their parts.
 #include "validation/stability/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/check/stability_margin.hpp"
+#include "engine/scene/shape_list.hpp"
 
 namespace scarp::validation {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+
+/// Of all bodies [m].
+double height_of(const Scene& scene) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Body& body : scene.bodies) {
+    const ShapeExtent extent = row_of(body.shape).extent(body.shape, 2);
+    low = std::min(low, extent.minimum[1]);
+    high = std::max(high, extent.maximum[1]);
+  }
+  return high - low;
+}
 
 }  // namespace
 
@@ -63,6 +77,36 @@ void set_stages(Scene& scene, double settle_passages) {
   settle.reset_after = true;
   settle.rest_velocity = 1e-7 * sound_speed(scene);  // calmer than the shake of the trials
   scene.stages = {settle, lasting("go", 1e6)};
+}
+
+bool can_stand(const Scene& scene) {
+  const double weight = std::abs(scene.gravity[1]) * height_of(scene);
+  return std::all_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
+    return m.density * weight < m.model.moduli().wave_modulus();
+  });
+}
+
+void settle_fully(Scene& scene) {
+  const Material* slowest = nullptr;
+  double fastest = 0.0, inertia = 1.0;
+  for (const Material& material : scene.materials) {
+    if (slowest == nullptr || material.sound_speed() < slowest->sound_speed()) slowest = &material;
+    fastest = std::max(fastest, material.sound_speed());
+    inertia = std::max(inertia, material.mass_scaling);
+  }
+  const double height = height_of(scene), pressure_wave = slowest->sound_speed(),
+               shear_wave = std::sqrt(slowest->model.moduli().shear_modulus /
+                                      (slowest->mass_scaling * slowest->density));
+  // c_d = pi c_p/(2 H) is more than critical for the first shear wave, omega = pi c_s/(2 H): it
+  // goes with exp(-omega^2 t/c_d). With a scaled lid on soft soil both are slower by up to the
+  // root.
+  Stage& settle = scene.stages[0];
+  const double times = 2.0 * height / std::numbers::pi * pressure_wave / (shear_wave * shear_wave);
+  settle.duration = std::max(*settle.duration, 10.0 * std::sqrt(inertia) * times);
+  // What is out of balance then, c_d v, gives the speed c_d v/omega without damping: a hundredth of
+  // what a cell that stands may have.
+  const double still = 1e-4 * std::sqrt(std::abs(scene.gravity[1]) * height);
+  settle.rest_velocity = std::min(1e-7 * fastest, 0.01 * still * shear_wave / pressure_wave);
 }
 
 Scene slope_scene(const std::string& preset_name) {

@@ -24,4 +24,12 @@ Scene bed_scene(const std::string& preset_name, double width, double height, dou
 /// Stages whose lengths suit the stiffness: settling for `passages` waves over h, then on.
 void set_stages(Scene& scene, double settle_passages);
 
+/// Whether the soil could stand: not where linear elasticity has its weight compress it to nothing
+/// at its base, rho g H of its wave modulus or more.
+bool can_stand(const Scene& scene);
+
+/// Lets the first stage last until the slowest shear wave of the soil has died away, ten times
+/// over.
+void settle_fully(Scene& scene);
+
 }  // namespace scarp::validation

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cstdint>
 #include <exception>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace scarp {
@@ -43,6 +45,35 @@ Result parallel_reduce(int threads, std::int64_t count, std::int64_t chunk, Resu
   });
   for (const auto& part : partial) merge(start, part);
   return start;
+}
+
+/// Replaces each of some sizes by the sum of those before it, which is where it begins if all
+/// follow one another, and returns the sum of all.
+template <class Sizes>
+auto put_behind_each_other(Sizes& sizes) {
+  typename Sizes::value_type end = 0;
+  for (auto& size : sizes) end += std::exchange(size, end);
+  return end;
+}
+
+/// Replaces `all` by what f(begin, end, out) appends to `out`, another such vector, for chunks of
+/// [0, count), in order of the chunks.
+template <class Vector, class F>
+void parallel_gather(int threads, std::int64_t count, std::int64_t chunk, Vector& all, F&& f) {
+  std::vector<Vector> parts(static_cast<std::size_t>((count + chunk - 1) / chunk));
+  std::vector<std::size_t> first(parts.size());
+  parallel_chunks(threads, count, chunk, [&](std::int64_t begin, std::int64_t end) {
+    const auto c = static_cast<std::size_t>(begin / chunk);
+    f(begin, end, parts[c]);
+    first[c] = parts[c].size();
+  });
+  all.clear();
+  all.resize(put_behind_each_other(first));
+  parallel_chunks(threads, std::ssize(parts), 1, [&](std::int64_t begin, std::int64_t) {
+    const auto c = static_cast<std::size_t>(begin);
+    const Vector part = std::move(parts[c]);  // given back here, by many threads
+    std::copy(part.begin(), part.end(), all.begin() + static_cast<std::ptrdiff_t>(first[c]));
+  });
 }
 
 /// What OpenMP would take: OMP_NUM_THREADS, else every core.

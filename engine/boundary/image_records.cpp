@@ -95,12 +95,14 @@ double MirrorImages::pack_motion(Records& records, const Mirrors& mirrors, std::
 
 template <class Pack>
 void MirrorImages::each_after_its_source(int threads, const Pack& pack) const {
-  for (const std::vector<std::int32_t>& generation : generations_) {
-    parallel_chunks(threads, std::ssize(generation), images_per_chunk,
+  std::int64_t first = 0;
+  for (const std::int64_t last : generations_) {
+    parallel_chunks(threads, last - first, images_per_chunk,
                     [&](std::int64_t begin, std::int64_t end) {
-                      for (std::int64_t k = begin; k < end; ++k)
-                        pack(static_cast<std::size_t>(generation[static_cast<std::size_t>(k)]));
+                      for (std::int64_t k = first + begin; k < first + end; ++k)
+                        pack(static_cast<std::size_t>(k));
                     });
+    first = last;
   }
 }
 
@@ -124,25 +126,24 @@ void MirrorImages::pack_corrected(int threads, Records& records, const Mirrors& 
   const double *moment[6], *ghost_moment[6];
   soil.components(Field::force_moment, moment);
   if (ghosts.slots() > 0) ghosts.components(Field::force_moment, ghost_moment);
-  const auto moment_of_soil = [&](std::int64_t record) {
-    return record < first_ghost ? inverse_moment(moment, record)
-                                : inverse_moment(ghost_moment, record - first_ghost);
+  // B of an image, by all mirrors from its soil on.
+  const auto inverse = [&](const auto& again, const Image& image) -> SymTensor<double> {
+    const std::int64_t from = image.source;
+    return rotated(from < 0             ? again(again, images_[static_cast<std::size_t>(-1 - from)])
+                   : from < first_ghost ? inverse_moment(moment, from)
+                                        : inverse_moment(ghost_moment, from - first_ghost),
+                   reflection(image.normal));
   };
-  std::vector<SymTensor<double>> inverse(images_.size());  // B of each image
   each_after_its_source(threads, [&](std::size_t g) {
     const Image& image = images_[g];
     const double weight = pack_motion(records, mirrors, g);
     const Tensor<double> mirror = reflection(image.normal);
-    const SymTensor<double> of_source = image.source >= 0
-                                            ? moment_of_soil(image.source)
-                                            : inverse[static_cast<std::size_t>(-1 - image.source)];
-    inverse[g] = rotated(of_source, mirror);
     std::array<double, 6> between{};
     add_weight(between.data(), image.normal, weight, image.lateral);
     const Tensor<double> added =
         corrected_stress(SymTensor<double>{between[xx], between[yy], between[zz], between[xy],
                                            between[yz], between[zx]},
-                         inverse[g]);
+                         inverse(inverse, image));
     Tensor<double> t =
         rotated(records.corrected_stress(source_record(records, g), dimension), mirror);
     for (int a = 0; a < 3; ++a) {
@@ -165,10 +166,12 @@ void MirrorImages::copy_density(int threads, Records& records) const {
   });
 }
 
-void MirrorImages::copy_material(Records& records) const {
+void MirrorImages::copy_material(int threads, Records& records) const {
   const std::int64_t first = records.layout()[Role::image].first;
-  for (std::int64_t g = 0; g < count(); ++g)
-    records.material(first + g) = records.material(soil_of(g));
+  each_after_its_source(threads, [&](std::size_t g) {
+    records.material(first + static_cast<std::int64_t>(g)) =
+        records.material(source_record(records, g));
+  });
 }
 
 void MirrorImages::pack_second(int threads, Records& records, kernels::TermSet terms,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/parallel.hpp"
@@ -27,103 +28,95 @@ Vec3 reflected(const Vec3& point, double distance, const Vec3& normal) {
 
 }  // namespace
 
-/// Calls ask(face) for every smooth face that a point is near.
-template <class Ask>
-void MirrorImages::each_smooth_face(const Mirrored& mirrored, const Vec3& point, double more,
-                                    FacetSearch& search, const Ask& ask) {
-  // An image may be beyond an edge by the reach, and behind the face by as much.
-  const double widest = std::sqrt(2.0) * (mirrored.reach + more);
-  const WallSurface& surface = mirrored.surface;
-  for (const std::uint32_t face : surface.near(point, widest, mirrored.walls, search)) {
-    if (mirrored.scene.walls[surface.wall_of(face)].kind == WallKind::free_slip) ask(face);
-  }
-}
-
-/// Puts soil down for every face it is near, in its order.
-void MirrorImages::ask_faces(int threads, const Mirrored& mirrored, const Soil& soil,
-                             const FastGrains* fast) {
-  using Asked = std::vector<std::pair<std::uint32_t, Source>>;
-  for (std::size_t r = 0; r < soil.ranges.size(); ++r) {
-    const SlotRange range = soil.ranges[r];
-    const Asked asked = parallel_reduce(
-        threads, range.end - range.begin, particle_chunk, Asked(),
-        [&](std::int64_t begin, std::int64_t end) {
-          Asked here;
-          FacetSearch search;
-          for (std::int64_t k = range.begin + begin; k < range.begin + end; ++k) {
-            const double more = fast != nullptr && fast->among(k, 1) ? fast->more : 0.0;
-            const Source source{soil.first_record + k, soil.k0[r], more};
-            each_smooth_face(mirrored, soil.point(k), more, search,
-                             [&](std::uint32_t face) { here.emplace_back(face, source); });
-          }
-          return here;
-        },
-        [](Asked& all, const Asked& part) { all.insert(all.end(), part.begin(), part.end()); });
-    for (const auto& [face, source] : asked) asked_[face].push_back(source);
-  }
+/// Appends the images of so many sources, in their order. Notes which soil is close to a face.
+template <class SourceOf>
+void MirrorImages::add_images(int threads, const Mirrored& mirrored, double close,
+                              std::int64_t sources, const SourceOf& source_of) {
+  const auto& [scene, surface, walls, reach] = mirrored;
+  const auto each_image = [&](const Source& source, FacetSearch& search, const auto& visit) {
+    const Image* from_image =
+        source.record < 0 ? &images_[static_cast<std::size_t>(-1 - source.record)] : nullptr;
+    // An image may be beyond an edge by the reach, and behind the face by as much.
+    const double widest = std::sqrt(2.0) * (reach + source.more);
+    for (const std::uint32_t face : surface.near(source.place, widest, walls, search)) {
+      const auto& [facet, w] = surface.faces()[face];
+      if (scene.walls[w].kind != WallKind::free_slip) continue;
+      // Across several faces in their order alone. An image straight behind this very plane is no
+      // neighbour of it; those of other planes are.
+      if (from_image != nullptr && (face <= from_image->face || from_image->normal == facet.normal))
+        continue;
+      Vec3 from;
+      for (std::size_t a = 0; a < 3; ++a)
+        from[a] = source.place[a] - facet.origin[a] - walls.offset[w][a];
+      const double distance = dot(from, facet.normal);
+      // Soil that has come a little behind the face keeps its image, which pushes it back.
+      if (distance > reach + source.more || distance < -0.125 * reach) continue;
+      const bool is_own = from_image == nullptr && source.record < std::ssize(close_);
+      if (is_own && distance <= close + source.more && in_footprint(facet, from, source.more))
+        close_[static_cast<std::size_t>(source.record)] = 1;
+      if (!in_footprint(facet, from, from_image != nullptr ? reach + source.more : 0.0)) continue;
+      visit(Image{source.record, static_cast<std::uint32_t>(w), face, facet.normal, facet.origin,
+                  source.lateral, source.more},
+            reflected(source.place, distance, facet.normal));
+    }
+  };
+  struct PlacedImage {
+    Image image;
+    Vec3 place;
+  };
+  RawVector<PlacedImage> made;
+  parallel_gather(
+      threads, sources, particle_chunk, made, [&](std::int64_t begin, std::int64_t end, auto& out) {
+        FacetSearch search;
+        for (std::int64_t k = begin; k < end; ++k) {
+          each_image(source_of(k), search, [&out](const Image& image, const Vec3& place) {
+            out.push_back({image, place});
+          });
+        }
+      });
+  const std::size_t first = images_.size();
+  images_.resize(first + made.size());
+  for (auto& axis : position_) axis.resize(first + made.size());
+  parallel_chunks(
+      threads, std::ssize(made), particle_chunk, [&](std::int64_t begin, std::int64_t end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+          images_[first + k] = made[k].image;
+          for (std::size_t a = 0; a < 3; ++a) position_[a][first + k] = made[k].place[a];
+        }
+      });
 }
 
 void MirrorImages::select(int threads, const Mirrored& mirrored, const Soil& own,
                           const Soil& ghosts, double close, const FastGrains& fast) {
-  const auto& [scene, surface, walls, reach] = mirrored;
+  const std::vector<Wall>& walls = mirrored.scene.walls;
   images_.clear();
   generations_.clear();
   close_.clear();
   for (auto& axis : position_) axis.clear();
-  const bool any_smooth = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
-    return wall.kind == WallKind::free_slip;
-  });
-  if (!any_smooth) return;
-  const std::int64_t own_end = own.ranges.empty() ? 0 : own.ranges.back().end;
-  const auto soil_point = [&](std::int64_t record) {
-    const Soil& soil = record < own_end ? own : ghosts;
-    return soil.point(record - soil.first_record);
-  };
-  ask_faces(threads, mirrored, own, &fast);
-  ask_faces(threads, mirrored, ghosts, nullptr);
-  FacetSearch search;
-  while (!asked_.empty()) {
-    const auto first = asked_.extract(asked_.begin());
-    const auto& [facet, w] = surface.faces()[first.key()];
-    for (const Source& source : first.mapped()) {
-      const bool is_image = source.record < 0;
-      const auto image = static_cast<std::size_t>(-1 - source.record);
-      // An image straight behind this very plane is no neighbour of it; those of other planes are.
-      if (is_image && images_[image].normal == facet.normal) continue;
-      const Vec3 x = is_image ? Vec3{position_[0][image], position_[1][image], position_[2][image]}
-                              : soil_point(source.record);
-      Vec3 from;
-      for (std::size_t a = 0; a < 3; ++a) from[a] = x[a] - facet.origin[a] - walls.offset[w][a];
-      const double distance = dot(from, facet.normal);
-      // Soil that has come a little behind the face keeps its image, which pushes it back.
-      if (distance > reach + source.more || distance < -0.125 * reach) continue;
-      const bool is_own = !is_image && source.record < own_end;
-      if (is_own && distance <= close + source.more && in_footprint(facet, from, source.more)) {
-        close_.resize(static_cast<std::size_t>(own_end), 0);
-        close_[static_cast<std::size_t>(source.record)] = 1;
-      }
-      if (!in_footprint(facet, from, is_image ? reach + source.more : 0.0)) continue;
-      const std::int64_t made = count();
-      images_.push_back(
-          {source.record, w, facet.normal, facet.origin, source.lateral, source.more});
-      const Vec3 place = reflected(x, distance, facet.normal);
-      for (std::size_t a = 0; a < 3; ++a) position_[a].push_back(place[a]);
-      each_smooth_face(mirrored, place, source.more, search, [&](std::uint32_t face) {
-        if (face > first.key()) asked_[face].push_back({-1 - made, source.lateral, source.more});
+  if (std::none_of(walls.begin(), walls.end(),
+                   [](const Wall& wall) { return wall.kind == WallKind::free_slip; }))
+    return;
+  close_.resize(own.ranges.empty() ? 0 : static_cast<std::size_t>(own.ranges.back().end));
+  for (const Soil* soil : {&own, &ghosts}) {
+    for (std::size_t r = 0; r < soil->ranges.size(); ++r) {
+      const SlotRange range = soil->ranges[r];
+      add_images(threads, mirrored, close, range.end - range.begin, [&](std::int64_t k) {
+        const std::int64_t slot = range.begin + k;
+        const double more = soil == &own && fast.among(slot, 1) ? fast.more : 0.0;
+        return Source{soil->first_record + slot, soil->point(slot), soil->k0[r], more};
       });
     }
   }
-  sort_by_generation();
-}
-
-/// Images of soil, images of those, and so on.
-void MirrorImages::sort_by_generation() {
-  std::vector<std::size_t> generation(images_.size());
-  for (std::size_t g = 0; g < images_.size(); ++g) {
-    const std::int64_t source = images_[g].source;
-    generation[g] = source >= 0 ? 0 : generation[static_cast<std::size_t>(-1 - source)] + 1;
-    if (generation[g] == generations_.size()) generations_.emplace_back();
-    generations_[generation[g]].push_back(static_cast<std::int32_t>(g));
+  for (std::int64_t first = 0; first < count(); first = generations_.back()) {
+    generations_.push_back(count());
+    add_images(threads, mirrored, close, count() - first, [&](std::int64_t k) {
+      const auto g = static_cast<std::size_t>(first + k);
+      const Image& image = images_[g];
+      return Source{-1 - first - k,
+                    {position_[0][g], position_[1][g], position_[2][g]},
+                    image.lateral,
+                    image.more};
+    });
   }
 }
 
@@ -140,11 +133,14 @@ void MirrorImages::follow(const PointSpan& soil) {
   }
 }
 
-std::vector<std::int64_t> MirrorImages::fast() const {
+std::vector<std::int64_t> MirrorImages::fast(int threads) const {
   std::vector<std::int64_t> found;
-  for (std::int64_t k = 0; k < count(); ++k) {
-    if (images_[static_cast<std::size_t>(k)].more > 0.0) found.push_back(k);
-  }
+  parallel_gather(threads, count(), particle_chunk, found,
+                  [&](std::int64_t begin, std::int64_t end, auto& out) {
+                    for (std::int64_t k = begin; k < end; ++k) {
+                      if (images_[static_cast<std::size_t>(k)].more > 0.0) out.push_back(k);
+                    }
+                  });
   return found;
 }
 

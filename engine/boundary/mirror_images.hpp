@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -50,12 +50,12 @@ class MirrorImages {
   /// The places of the images after their soil has moved; walls stand where they stood.
   void follow(const PointSpan& soil);
 
-  std::int64_t count() const { return static_cast<std::int64_t>(images_.size()); }
+  std::int64_t count() const { return std::ssize(images_); }
   PointSpan points() const {
     return {position_[0].data(), position_[1].data(), position_[2].data()};
   }
   /// Those of fast grains, ascending.
-  std::vector<std::int64_t> fast() const;
+  std::vector<std::int64_t> fast(int threads) const;
   std::size_t wall_of(std::int64_t image) const {
     return images_[static_cast<std::size_t>(image)].wall;
   }
@@ -81,43 +81,37 @@ class MirrorImages {
   /// Second lines of the images from those of their sources.
   void pack_second(int threads, Records& records, kernels::TermSet terms, int dimension) const;
   /// Notes that each image is of the material of its soil.
-  void copy_material(Records& records) const;
+  void copy_material(int threads, Records& records) const;
   /// The density of the record of each source into that of its image.
   void copy_density(int threads, Records& records) const;
-  std::size_t bytes() const {
-    return images_.size() * (sizeof(Image) + sizeof(std::int32_t) + 3 * sizeof(double));
-  }
+  std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
 
  private:
-  void sort_by_generation();
-  template <class Pack>
-  void each_after_its_source(int threads, const Pack& pack) const;
-  std::int64_t source_record(const Records& records, std::size_t image) const;
-  double pack_motion(Records& records, const Mirrors& mirrors, std::size_t image) const;
-
   struct Image {
     std::int64_t source;  ///< record of soil, or -1 - image
-    std::size_t wall;
+    std::uint32_t wall, face;
     Vec3 normal;
     Vec3 origin;     ///< a point of the facet before its wall moved
     double lateral;  ///< K0 of the soil it is an image of
     double more;     ///< how much wider it reaches than others [m]
   };
-  /// What may have an image: a record of soil, or -1 - image.
+  /// What may have images.
   struct Source {
-    std::int64_t record;
-    double lateral;
-    double more;
+    std::int64_t record;  ///< of soil, or -1 - image
+    Vec3 place;
+    double lateral, more;
   };
-  template <class Ask>
-  static void each_smooth_face(const Mirrored& mirrored, const Vec3& point, double more,
-                               FacetSearch& search, const Ask& ask);
-  void ask_faces(int threads, const Mirrored& mirrored, const Soil& soil, const FastGrains* fast);
+  template <class SourceOf>
+  void add_images(int threads, const Mirrored& mirrored, double close, std::int64_t sources,
+                  const SourceOf& source_of);
+  template <class Pack>
+  void each_after_its_source(int threads, const Pack& pack) const;
+  std::int64_t source_record(const Records& records, std::size_t image) const;
+  double pack_motion(Records& records, const Mirrors& mirrors, std::size_t image) const;
 
-  std::map<std::uint32_t, std::vector<Source>> asked_;  ///< by face; empty between selections
-  std::vector<Image> images_;
-  std::vector<std::vector<std::int32_t>> generations_;  ///< images by how many mirrors made them
-  AlignedVector<double> position_[3];
+  RawVector<Image> images_;
+  std::vector<std::int64_t> generations_;  ///< where images of soil end, images of those, and so on
+  RawVector<double> position_[3];
   std::vector<std::uint8_t> close_;  ///< by soil slot; empty: none
 };
 

@@ -31,7 +31,7 @@ void move_walls(State& state, double dt) {
     if (v == Vec3{}) continue;
     const Vec3 step{v[0] * dt, v[1] * dt, v[2] * dt};
     for (std::size_t a = 0; a < 3; ++a) state.boundary.offset[w][a] += step[a];
-    state.boundary.walls.move(w, step);
+    state.boundary.walls.move(state.threads, w, step);
     state.boundary.moved += std::hypot(step[0], step[1], step[2]);
   }
 }

@@ -125,13 +125,16 @@ void Walls::move_to(std::span<const double> positions) {
   }
 }
 
-void Walls::move(std::size_t wall, const Vec3& step) {
+void Walls::move(int threads, std::size_t wall, const Vec3& step) {
   if (!have_moved()) remember_built();
   stand_as_built_ = false;
-  for (std::size_t k = 0; k < wall_.size(); ++k) {
-    if (wall_[k] != wall) continue;
-    for (std::size_t a = 0; a < 3; ++a) position_[a][k] += step[a];
-  }
+  parallel_chunks(
+      threads, std::ssize(wall_), particle_chunk, [&](std::int64_t begin, std::int64_t end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+          if (wall_[k] != wall) continue;
+          for (std::size_t a = 0; a < 3; ++a) position_[a][k] += step[a];
+        }
+      });
 }
 
 void Walls::choose_standing(const Scene& scene, const WallSurface& surface,

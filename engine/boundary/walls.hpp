@@ -53,7 +53,7 @@ class Walls {
   std::size_t wall_of(std::int64_t slot) const { return wall_[static_cast<std::size_t>(slot)]; }
 
   /// Moves the dummies of a wall.
-  void move(std::size_t wall, const Vec3& step);
+  void move(int threads, std::size_t wall, const Vec3& step);
   /// Puts dummies and inner points, in one Morton order, at x of all, then y, then z.
   void move_to(std::span<const double> positions);
   /// Where they stand, or stood when the lists were built, in the same form.

@@ -35,14 +35,13 @@ CellIndex CellGrid::cell_of(double x, double y, double z) const {
 
 /// Threads claim buckets by their key. Where a cell comes to lie may depend on who was first; what
 /// is found does not.
-void CellGrid::insert(std::uint64_t key, std::int32_t begin, std::int32_t end,
-                      std::vector<Bucket>& table) {
-  for (std::size_t place = home(key, table.size());;
+void CellGrid::insert(const Bucket& cell, Table& table) {
+  for (std::size_t place = home(cell.key, table.size());;
        place = place + 1 < table.size() ? place + 1 : 0) {
     std::uint64_t free = empty;
-    if (!std::atomic_ref(table[place].key).compare_exchange_strong(free, key)) continue;
-    table[place].begin = begin;
-    table[place].end = end;
+    if (!std::atomic_ref(table[place].key).compare_exchange_strong(free, cell.key)) continue;
+    table[place].begin = cell.begin;
+    table[place].end = cell.end;
     return;
   }
 }
@@ -81,8 +80,7 @@ void CellGrid::place_points(int threads, const PointSpan& points, std::span<cons
   occupied_box_ = box_of(lowest, highest);
 }
 
-void CellGrid::fill_table(int threads, const std::vector<KeyedSlot>& items,
-                          std::vector<Bucket>& table) {
+void CellGrid::fill_table(int threads, const RawVector<KeyedSlot>& items, Table& table) {
   const auto offset = static_cast<std::int32_t>(order_.size());
   const auto begins_cell = [&](std::size_t k) {
     return k == 0 || items[k].key != items[k - 1].key;
@@ -97,7 +95,12 @@ void CellGrid::fill_table(int threads, const std::vector<KeyedSlot>& items,
       },
       [](std::size_t& all, std::size_t part) { all += part; });
   occupied_ += occupied;
-  table.assign(occupied + occupied / 2 + 1, Bucket{});
+  table.clear();
+  table.resize(occupied + occupied / 2 + 1);
+  parallel_chunks(threads, std::ssize(table), particle_chunk,
+                  [&](std::int64_t begin, std::int64_t end) {
+                    std::fill(table.begin() + begin, table.begin() + end, Bucket{empty, 0, 0});
+                  });
   order_.resize(order_.size() + items.size());
   parallel_chunks(
       threads, std::ssize(items), particle_chunk, [&](std::int64_t first, std::int64_t last) {
@@ -106,8 +109,9 @@ void CellGrid::fill_table(int threads, const std::vector<KeyedSlot>& items,
           if (!begins_cell(k)) continue;
           std::size_t end = k + 1;
           while (end < items.size() && items[end].key == items[k].key) ++end;
-          insert(items[k].key, offset + static_cast<std::int32_t>(k),
-                 offset + static_cast<std::int32_t>(end), table);
+          insert({items[k].key, offset + static_cast<std::int32_t>(k),
+                  offset + static_cast<std::int32_t>(end)},
+                 table);
         }
       });
 }
@@ -119,7 +123,7 @@ void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotR
   order_.clear();
   occupied_ = 0;
   tables_.resize(ranges.size());
-  std::vector<KeyedSlot> items, scratch;
+  RawVector<KeyedSlot> items, scratch;
   for (std::size_t r = 0; r < ranges.size(); ++r) {
     const SlotRange range = ranges[r];
     items.resize(static_cast<std::size_t>(range.end - range.begin));
@@ -138,8 +142,7 @@ void CellGrid::build(int threads, const PointSpan& points, std::span<const SlotR
   }
 }
 
-void CellGrid::append(const std::vector<Bucket>& table, std::uint64_t key,
-                      std::vector<std::int32_t>& out) const {
+void CellGrid::append(const Table& table, std::uint64_t key, std::vector<std::int32_t>& out) const {
   for (std::size_t place = home(key, table.size()); table[place].key != empty;
        place = place + 1 < table.size() ? place + 1 : 0) {
     if (table[place].key != key) continue;
@@ -155,7 +158,7 @@ void CellGrid::collect(const CellBox& wanted, std::vector<std::int32_t>& out) co
     box.low[a] = std::max(wanted.low[a], occupied_box_.low[a]);
     box.high[a] = std::min(wanted.high[a], occupied_box_.high[a]);
   }
-  for (const std::vector<Bucket>& table : tables_) {
+  for (const Table& table : tables_) {
     for (std::int64_t z = box.low[2]; z <= box.high[2]; ++z) {
       for (std::int64_t y = box.low[1]; y <= box.high[1]; ++y) {
         for (std::int64_t x = box.low[0]; x <= box.high[0]; ++x)
@@ -166,7 +169,7 @@ void CellGrid::collect(const CellBox& wanted, std::vector<std::int32_t>& out) co
 }
 
 void CellGrid::collect(std::span<const CellIndex> cells, std::vector<std::int32_t>& out) const {
-  for (const std::vector<Bucket>& table : tables_) {
+  for (const Table& table : tables_) {
     for (const CellIndex& cell : cells) append(table, morton_key(cell), out);
   }
 }

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/particles/aligned_vector.hpp"
+
 namespace scarp {
 
 struct KeyedSlot;
@@ -87,26 +89,24 @@ class CellGrid {
 
  private:
   struct Bucket {
-    std::uint64_t key = empty;
-    std::int32_t begin = 0;
-    std::int32_t end = 0;
+    std::uint64_t key;
+    std::int32_t begin, end;
   };
+  using Table = RawVector<Bucket>;
   static constexpr std::uint64_t empty = ~std::uint64_t{0};
   void place_points(int threads, const PointSpan& points, std::span<const SlotRange> ranges,
                     double cell_size);
   /// The cells of a range, whose slots go behind those that `order_` has.
-  void fill_table(int threads, const std::vector<KeyedSlot>& items, std::vector<Bucket>& table);
-  void append(const std::vector<Bucket>& table, std::uint64_t key,
-              std::vector<std::int32_t>& out) const;
-  static void insert(std::uint64_t key, std::int32_t begin, std::int32_t end,
-                     std::vector<Bucket>& table);
+  void fill_table(int threads, const RawVector<KeyedSlot>& items, Table& table);
+  void append(const Table& table, std::uint64_t key, std::vector<std::int32_t>& out) const;
+  static void insert(const Bucket& cell, Table& table);
 
   double inverse_cell_ = 1.0;
   std::array<double, 3> origin_{};
   CellBox occupied_box_;  ///< around all points that are numbers
   std::size_t occupied_ = 0;
-  std::vector<std::int32_t> order_;
-  std::vector<std::vector<Bucket>> tables_;  ///< one per range, two thirds full, linear probing
+  RawVector<std::int32_t> order_;
+  std::vector<Table> tables_;  ///< one per range, two thirds full, linear probing
 };
 
 }  // namespace scarp

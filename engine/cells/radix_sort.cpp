@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <span>
+#include <utility>
 
 #include "engine/parallel.hpp"
 
@@ -11,43 +14,47 @@ namespace scarp {
 namespace {
 
 constexpr int bits = 11;
-constexpr std::uint64_t mask = (1u << bits) - 1;
+constexpr std::size_t digits = std::size_t{1} << bits;
 
-/// How many items of a chunk have each digit, then where the next of them goes.
-using Places = std::array<std::uint32_t, mask + 1>;
+/// Items that are counted together: some for each digit, else the counts cost more than the items.
+constexpr std::int64_t chunk_size = 1 << 13;
 
-/// One thread sums up what the chunks have counted: at most so many chunks, none of few items.
-constexpr std::int64_t most_chunks = 64, smallest_chunk = 1 << 14;
+/// Digits that a thread takes at once.
+constexpr std::int64_t digits_at_once = 64;
 
-/// Items of a digit go behind those of smaller digits; within it those of earlier chunks come
-/// first.
-void place_behind_each_other(std::vector<Places>& chunks) {
-  std::uint32_t next = 0;
-  for (std::size_t digit = 0; digit <= mask; ++digit) {
+/// By digit: how many items of a chunk have it, then where the next of them goes.
+using Places = std::array<std::uint32_t, digits>;
+
+/// Counts become places among all items of the digit. Returns how many these are.
+Places places_within_digits(int threads, RawVector<Places>& chunks) {
+  Places sum{};
+  parallel_chunks(threads, digits, digits_at_once, [&](std::int64_t begin, std::int64_t end) {
     for (Places& places : chunks) {
-      const std::uint32_t count = places[digit];
-      places[digit] = next;
-      next += count;
+      for (auto digit = static_cast<std::size_t>(begin); digit < static_cast<std::size_t>(end);
+           ++digit)
+        sum[digit] += std::exchange(places[digit], sum[digit]);
     }
-  }
+  });
+  return sum;
 }
 
 }  // namespace
 
-void sort_by_key(int threads, std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& scratch) {
+void sort_by_key(int threads, RawVector<KeyedSlot>& items, RawVector<KeyedSlot>& scratch) {
   const std::int64_t count = std::ssize(items);
   if (count == 0) return;
   scratch.resize(items.size());
-  const std::int64_t chunk = std::max(smallest_chunk, (count + most_chunks - 1) / most_chunks);
-  std::vector<Places> places(static_cast<std::size_t>((count + chunk - 1) / chunk));
-  const auto each = [&](const auto& visit) {
-    parallel_chunks(threads, count, chunk, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t k = begin; k < end; ++k)
-        visit(places[static_cast<std::size_t>(begin / chunk)], items[static_cast<std::size_t>(k)]);
+  RawVector<Places> places(static_cast<std::size_t>((count + chunk_size - 1) / chunk_size));
+  /// visit(places of the chunk, its items)
+  const auto each_chunk = [&](const auto& visit) {
+    parallel_chunks(threads, count, chunk_size, [&](std::int64_t begin, std::int64_t end) {
+      visit(places[static_cast<std::size_t>(begin / chunk_size)],
+            std::span(items).subspan(static_cast<std::size_t>(begin),
+                                     static_cast<std::size_t>(end - begin)));
     });
   };
   const std::uint64_t differing = parallel_reduce(
-      threads, count, chunk, std::uint64_t{0},
+      threads, count, chunk_size, std::uint64_t{0},
       [&](std::int64_t begin, std::int64_t end) {
         std::uint64_t bits_here = 0;
         for (std::int64_t k = begin; k < end; ++k)
@@ -56,13 +63,17 @@ void sort_by_key(int threads, std::vector<KeyedSlot>& items, std::vector<KeyedSl
       },
       [](std::uint64_t& all, std::uint64_t part) { all |= part; });
   for (int shift = 0; shift < 63; shift += bits) {
-    if ((differing >> shift & mask) == 0) continue;
-    for (Places& of_chunk : places) of_chunk.fill(0);
-    each(
-        [shift](Places& of_chunk, const KeyedSlot& item) { ++of_chunk[item.key >> shift & mask]; });
-    place_behind_each_other(places);
-    each([shift, &scratch](Places& of_chunk, const KeyedSlot& item) {
-      scratch[of_chunk[item.key >> shift & mask]++] = item;
+    const auto digit = [shift](const KeyedSlot& item) { return item.key >> shift & (digits - 1); };
+    if ((differing >> shift & (digits - 1)) == 0) continue;
+    each_chunk([&](Places& of_chunk, std::span<const KeyedSlot> chunk) {
+      of_chunk.fill(0);
+      for (const KeyedSlot& item : chunk) ++of_chunk[digit(item)];
+    });
+    Places first = places_within_digits(threads, places);
+    put_behind_each_other(first);
+    each_chunk([&](Places& of_chunk, std::span<const KeyedSlot> chunk) {
+      for (std::size_t k = 0; k < digits; ++k) of_chunk[k] += first[k];
+      for (const KeyedSlot& item : chunk) scratch[of_chunk[digit(item)]++] = item;
     });
     items.swap(scratch);
   }

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+
+#include "engine/particles/aligned_vector.hpp"
 
 namespace scarp {
 
@@ -14,6 +15,6 @@ struct KeyedSlot {
 
 /// Stable radix sort by keys below 2^63, on `threads` threads, whose number changes nothing. Digits
 /// that are equal everywhere are skipped. Limits: fewer than 2^32 items.
-void sort_by_key(int threads, std::vector<KeyedSlot>& items, std::vector<KeyedSlot>& scratch);
+void sort_by_key(int threads, RawVector<KeyedSlot>& items, RawVector<KeyedSlot>& scratch);
 
 }  // namespace scarp

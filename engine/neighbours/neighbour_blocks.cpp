@@ -27,6 +27,8 @@ void NeighbourBlocks::reserve(std::int64_t blocks) {
 }
 
 void NeighbourBlocks::resize(std::int64_t blocks) {
+  page_.clear();  // so that nothing is copied
+  place_.clear();
   reserve(blocks + 2);  // for the empty ones that end all lists
   page_.resize(static_cast<std::size_t>(blocks));
   place_.resize(static_cast<std::size_t>(blocks * entry_block));

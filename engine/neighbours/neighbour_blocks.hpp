@@ -26,7 +26,7 @@ class NeighbourBlocks {
   /// Appends blocks without neighbours.
   void append_empty(std::int64_t blocks);
   void reserve(std::int64_t blocks);
-  /// Makes `blocks` blocks, to be filled by `copy`, and room for two more.
+  /// Makes `blocks` blocks without values, to be filled by `copy`, and room for two more.
   void resize(std::int64_t blocks);
   void copy(const NeighbourBlocks& from, std::int64_t to_block);
 
@@ -38,8 +38,8 @@ class NeighbourBlocks {
  private:
   void turn_to(std::int32_t page_begin);
 
-  AlignedVector<std::int32_t> page_;
-  AlignedVector<std::uint16_t> place_;
+  RawVector<std::int32_t> page_;
+  RawVector<std::uint16_t> place_;
   std::int32_t page_begin_ = 0;
 };
 

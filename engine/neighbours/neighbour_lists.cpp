@@ -134,19 +134,19 @@ struct Candidates {
   std::vector<CellIndex> cells_;  ///< scratch
 };
 
-/// Lists of one chunk of superclusters, before they are put behind each other.
-struct ChunkLists {
-  NeighbourBlocks blocks;
-  /// Per cluster, in blocks.
-  std::vector<std::int64_t> soil_size, wall_size, inner_size;
+/// Where the parts of each cluster's list end, in blocks.
+struct PartEnds {
+  std::int64_t *soil, *dummies, *inner;
 };
 
+/// Makes the lists of one chunk of superclusters, before they are put behind each other.
 class ChunkBuilder {
  public:
   ChunkBuilder(const kernels::KernelTable& kernels, const NeighbourLists::Input& input,
-               ChunkLists& out)
+               const PartEnds& ends, NeighbourBlocks& out)
       : kernels_(kernels),
         input_(input),
+        ends_(ends),
         out_(out),
         candidates_(input.sources.size()),
         fast_(input.sources.size()) {
@@ -162,10 +162,14 @@ class ChunkBuilder {
     const std::int64_t size = input_.cluster_size;
     for (std::int64_t first = begin; first < padded_end; first += size) {
       const auto members = static_cast<int>(std::clamp<std::int64_t>(valid_end - first, 0, size));
-      const auto add = [&](Part part) { return members > 0 ? add_list(first, members, part) : 0; };
-      out_.soil_size.push_back(add(Part::soil));
-      out_.wall_size.push_back(add(Part::dummies));
-      out_.inner_size.push_back(add(Part::inner));
+      const auto end_of = [&](Part part) {
+        if (members > 0) add_list(first, members, part);
+        return out_.size();
+      };
+      const std::int64_t cluster = first / size;
+      ends_.soil[cluster] = end_of(Part::soil);
+      ends_.dummies[cluster] = end_of(Part::dummies);
+      ends_.inner[cluster] = end_of(Part::inner);
     }
   }
 
@@ -182,15 +186,12 @@ class ChunkBuilder {
       candidates_[s].gather(input_.sources[s], input_, begin, end);
   }
 
-  /// One part of the list of a cluster. Returns how many blocks it takes.
-  std::int64_t add_list(std::int64_t first, int members, Part part) {
+  /// One part of the list of a cluster.
+  void add_list(std::int64_t first, int members, Part part) {
     for (std::size_t s = 0; s < candidates_.size(); ++s) {
       if (part_of(input_.sources[s].role) == part) add(s, first, members);
     }
-    const std::int64_t before = written_;
-    out_.blocks.end_list();
-    written_ = out_.blocks.size();
-    return written_ - before;
+    out_.end_list();
   }
 
   /// Those of a source that a cluster reaches; fast ones it reaches from further away.
@@ -208,7 +209,7 @@ class ChunkBuilder {
   }
 
   void add_record(std::size_t s, std::int32_t slot) {
-    out_.blocks.add(static_cast<std::int32_t>(input_.sources[s].first_record + slot));
+    out_.add(static_cast<std::int32_t>(input_.sources[s].first_record + slot));
   }
 
   /// Slots of the candidates within `reach` of a member.
@@ -233,10 +234,10 @@ class ChunkBuilder {
 
   const kernels::KernelTable& kernels_;
   const NeighbourLists::Input& input_;
-  ChunkLists& out_;
+  const PartEnds& ends_;
+  NeighbourBlocks& out_;
   std::vector<Candidates> candidates_, fast_;  ///< by source
   std::vector<std::int32_t> found_, near_;
-  std::int64_t written_ = 0;
   std::array<double, 16> zeros_{};
 };
 
@@ -245,15 +246,27 @@ class ChunkBuilder {
 void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, const Input& input) {
   static_assert(particle_chunk % supercluster == 0);
   const std::int64_t size = input.cluster_size, clusters = input.slots / size;
-  std::vector<ChunkLists> chunks(
+  std::vector<NeighbourBlocks> chunks(
       static_cast<std::size_t>((input.slots + particle_chunk - 1) / particle_chunk));
+  std::vector<std::int64_t> first_block(chunks.size());
+  soil_begin_.resize(static_cast<std::size_t>(clusters + 1));
+  wall_begin_.resize(static_cast<std::size_t>(clusters));
+  inner_begin_.resize(static_cast<std::size_t>(clusters));
+  // Each part begins where the one before ends.
+  const PartEnds ends{wall_begin_.data(), inner_begin_.data(), soil_begin_.data() + 1};
+  far_record_ = static_cast<std::int32_t>(input.far_record);
   // Lists of a chunk are mostly as long as the last ones.
   const std::int64_t expected =
       9 * blocks_.size() / (8 * std::max<std::int64_t>(1, std::ssize(chunks)));
-  parallel_chunks(threads, input.slots, particle_chunk, [&](std::int64_t begin, std::int64_t end) {
-    ChunkLists& chunk = chunks[static_cast<std::size_t>(begin / particle_chunk)];
-    chunk.blocks.reserve(expected);
-    ChunkBuilder builder(kernels, input, chunk);
+  const auto each_chunk = [&](const auto& visit) {
+    parallel_chunks(threads, input.slots, particle_chunk,
+                    [&](std::int64_t begin, std::int64_t end) {
+                      visit(static_cast<std::size_t>(begin / particle_chunk), begin, end);
+                    });
+  };
+  each_chunk([&](std::size_t c, std::int64_t begin, std::int64_t end) {
+    chunks[c].reserve(expected);
+    ChunkBuilder builder(kernels, input, ends, chunks[c]);
     // A supercluster ends with its range, so that no candidate box spans two materials' far
     // corners.
     for (std::int64_t slot = begin; slot < end;) {
@@ -264,32 +277,26 @@ void NeighbourLists::build(int threads, const kernels::KernelTable& kernels, con
       builder.add_supercluster(slot, next);
       slot = next;
     }
+    first_block[c] = chunks[c].size();
   });
-  soil_begin_.assign(static_cast<std::size_t>(clusters + 1), 0);
-  wall_begin_.resize(static_cast<std::size_t>(clusters));
-  inner_begin_.resize(static_cast<std::size_t>(clusters));
-  far_record_ = static_cast<std::int32_t>(input.far_record);
-  active_.clear();
-  std::vector<std::int64_t> chunk_start;
-  std::int64_t total = 0;
-  std::size_t cluster = 0;
-  for (const ChunkLists& chunk : chunks) {
-    chunk_start.push_back(total);
-    for (std::size_t k = 0; k < chunk.soil_size.size(); ++k, ++cluster) {
-      wall_begin_[cluster] = total + chunk.soil_size[k];
-      inner_begin_[cluster] = wall_begin_[cluster] + chunk.wall_size[k];
-      const std::int64_t end = inner_begin_[cluster] + chunk.inner_size[k];
-      if (end > total) active_.push_back(static_cast<std::int32_t>(cluster));
-      soil_begin_[cluster + 1] = total = end;
+  blocks_.resize(put_behind_each_other(first_block));
+  each_chunk([&](std::size_t c, std::int64_t begin, std::int64_t end) {
+    const NeighbourBlocks chunk = std::move(chunks[c]);  // given back here, by many threads
+    blocks_.copy(chunk, first_block[c]);
+    for (std::int64_t* of_part : {ends.soil, ends.dummies, ends.inner}) {
+      for (std::int64_t cluster = begin / size; cluster < end / size; ++cluster)
+        of_part[cluster] += first_block[c];
     }
-  }
-  blocks_.resize(total);
-  parallel_chunks(threads, static_cast<std::int64_t>(chunks.size()), 1,
-                  [&](std::int64_t c, std::int64_t) {
-                    const auto chunk = static_cast<std::size_t>(c);
-                    blocks_.copy(chunks[chunk].blocks, chunk_start[chunk]);
-                  });
+  });
   blocks_.append_empty(2);
+  parallel_gather(threads, clusters, particle_chunk / size, active_,
+                  [&](std::int64_t begin, std::int64_t end, auto& active) {
+                    for (auto c = static_cast<std::size_t>(begin);
+                         c < static_cast<std::size_t>(end); ++c) {
+                      if (soil_begin_[c + 1] > soil_begin_[c])
+                        active.push_back(static_cast<std::int32_t>(c));
+                    }
+                  });
 }
 
 std::size_t NeighbourLists::bytes() const {

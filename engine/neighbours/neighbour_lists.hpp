@@ -60,7 +60,7 @@ class NeighbourLists {
   NeighbourBlocks blocks_;
   std::vector<std::int64_t> soil_begin_{0}, wall_begin_, inner_begin_;
   std::int32_t far_record_ = 0;
-  std::vector<std::int32_t> active_;
+  RawVector<std::int32_t> active_;
 };
 
 }  // namespace scarp

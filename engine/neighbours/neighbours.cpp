@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <span>
 
 #include "engine/cells/compact_clusters.hpp"
+#include "engine/cells/radix_sort.hpp"
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
 #include "engine/watch/too_light.hpp"
@@ -24,22 +27,41 @@ PointSpan points_of(const ParticleBuffers& particles) {
           particles.component(Field::position, 2)};
 }
 
+/// Puts soil asleep ahead of the rest, so that few blocks hold both.
+void put_sleepers_first(int threads, const double* asleep, std::span<std::int32_t> order) {
+  RawVector<KeyedSlot> items(order.size()), scratch;
+  const auto each = [&](const auto& visit) {
+    parallel_chunks(
+        threads, std::ssize(order), particle_chunk, [&](std::int64_t begin, std::int64_t end) {
+          for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+            visit(order[k], items[k]);
+        });
+  };
+  each([asleep](std::int32_t slot, KeyedSlot& item) {
+    item = {asleep[slot] != 0.0 ? 0u : 1u, slot};
+  });
+  sort_by_key(threads, items, scratch);
+  each([](std::int32_t& slot, const KeyedSlot& item) { slot = item.slot; });
+}
+
 void sort_particles(State& state, const std::vector<SlotRange>& ranges) {
-  std::vector<std::int32_t> order(static_cast<std::size_t>(state.particles.slots()));
-  std::iota(order.begin(), order.end(), 0);
-  auto sorted = state.neighbours.cells[Role::owned].order().begin();
+  RawVector<std::int32_t> order(static_cast<std::size_t>(state.particles.slots()));
+  parallel_chunks(
+      state.threads, std::ssize(order), particle_chunk, [&](std::int64_t begin, std::int64_t end) {
+        std::iota(order.begin() + begin, order.begin() + end, static_cast<std::int32_t>(begin));
+      });
+  auto sorted = state.neighbours.cells[Role::owned].order();
   for (const SlotRange& range : ranges) {
-    const auto end = sorted + (range.end - range.begin);
-    std::copy(sorted, end, order.begin() + range.begin);
-    sorted = end;
-    if (const double* asleep = state.particles.component(Field::asleep); asleep != nullptr) {
-      // So that few blocks hold both.
-      std::stable_partition(order.begin() + range.begin, order.begin() + range.end,
-                            [asleep](std::int32_t slot) { return asleep[slot] != 0.0; });
-    }
-    compact_clusters(state.threads, points_of(state.particles), state.kernels.cluster_size,
-                     std::span(order).subspan(static_cast<std::size_t>(range.begin),
-                                              static_cast<std::size_t>(range.end - range.begin)));
+    const auto count = static_cast<std::size_t>(range.end - range.begin);
+    const std::span here = std::span(order).subspan(static_cast<std::size_t>(range.begin), count);
+    parallel_chunks(state.threads, range.end - range.begin, particle_chunk,
+                    [&](std::int64_t begin, std::int64_t end) {
+                      std::copy(sorted.begin() + begin, sorted.begin() + end, here.begin() + begin);
+                    });
+    sorted = sorted.subspan(count);
+    if (const double* asleep = state.particles.component(Field::asleep); asleep != nullptr)
+      put_sleepers_first(state.threads, asleep, here);
+    compact_clusters(state.threads, points_of(state.particles), state.kernels.cluster_size, here);
   }
   state.particles.permute(state.threads, order);
 }
@@ -75,9 +97,9 @@ void put_material(State& state) {
   const std::vector<std::int32_t>& alike = state.scaling.alike;
   if (alike.empty()) return;
   Records& records = state.sweep.records;
-  records.put_material(Role::owned, state.particles, alike);
-  records.put_material(Role::ghost, state.ghosts, alike);
-  state.boundary.images.copy_material(records);
+  records.put_material(state.threads, Role::owned, state.particles, alike);
+  records.put_material(state.threads, Role::ghost, state.ghosts, alike);
+  state.boundary.images.copy_material(state.threads, records);
 }
 
 /// Dummies in reach of a particle take their stress from soil in reach of theirs; an inner point
@@ -110,7 +132,7 @@ void build_lists(State& state) {
       state.neighbours.fast);
   const MirrorImages& images = state.boundary.images;
   Walls& walls = state.boundary.walls;
-  state.sweep.records.resize(state.ghosts.slots(), images.count());
+  state.sweep.records.resize(state.threads, state.ghosts.slots(), images.count());
   put_material(state);
   std::vector<ParticleSource> sources;
   const FastGrains& fast = state.neighbours.fast;
@@ -118,7 +140,7 @@ void build_lists(State& state) {
     sources.push_back(
         {role, &state.neighbours.cells[role], points, state.sweep.records.layout()[role].first});
     if (role == Role::owned) sources.back().fast = fast.slots;
-    if (role == Role::image) sources.back().fast = images.fast();
+    if (role == Role::image) sources.back().fast = images.fast(state.threads);
   };
   const auto build_cells = [&](Role role, const PointSpan& points,
                                std::span<const SlotRange> ranges_there) {

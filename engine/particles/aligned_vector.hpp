@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Vectors whose storage starts on a cache line.
+/// Vectors whose storage starts on a cache line, with and without a value for each new element.
 #pragma once
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace scarp {
@@ -28,5 +29,26 @@ struct CacheLineAllocator {
 
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
+
+/// Leaves what has no value of its own without one.
+template <class T>
+struct RawAllocator : CacheLineAllocator<T> {
+  RawAllocator() = default;
+  template <class U>
+  RawAllocator(const RawAllocator<U>&) {}
+  template <class U>
+  void construct(U* p) {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Values>
+  void construct(U* p, Values&&... values) {
+    ::new (static_cast<void*>(p)) U(std::forward<Values>(values)...);
+  }
+};
+
+/// For what threads fill in together: `resize` does not go over the memory, which one thread would
+/// have to.
+template <class T>
+using RawVector = std::vector<T, RawAllocator<T>>;
 
 }  // namespace scarp

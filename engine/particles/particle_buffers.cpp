@@ -151,23 +151,28 @@ void ParticleBuffers::remove(std::span<const std::int64_t> slots) {
 }
 
 void ParticleBuffers::permute(int threads, std::span<const std::int32_t> order) {
-  const auto gather = [&](auto& array) {
-    auto sorted = array;
+  const auto each = [&](const auto& visit) {
     parallel_chunks(threads, slots_, particle_chunk, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t k = begin; k < end; ++k) {
-        sorted[static_cast<std::size_t>(k)] =
-            array[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
-      }
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+        visit(k);
     });
-    array.swap(sorted);
   };
+  const auto gather = [&](const auto& from, auto& to) {
+    each([&](std::size_t k) { to[k] = from[static_cast<std::size_t>(order[k])]; });
+  };
+  RawVector<double> spare(
+      static_cast<std::size_t>(slots_));  // what one array leaves, the next takes
   for (const FieldRow& field : rows_) {
     if (field.lifetime != Lifetime::state) continue;
     for (auto& array : data_[static_cast<std::size_t>(field.field)]) {
-      if (!array.empty()) gather(array);
+      if (array.empty()) continue;
+      gather(array, spare);
+      array.swap(spare);
     }
   }
-  gather(ids_);
+  RawVector<std::int64_t> spare_ids(static_cast<std::size_t>(slots_));
+  gather(ids_, spare_ids);
+  each([&](std::size_t k) { ids_[k] = spare_ids[k]; });
 }
 
 void ParticleBuffers::put_initial(const FieldRow& field) {

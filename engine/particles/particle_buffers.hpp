@@ -126,7 +126,7 @@ class ParticleBuffers {
   std::vector<ParticleGroup> groups_;
   std::vector<FieldRow> rows_;
   /// By field; without particles as well, so that nothing is found there.
-  std::vector<std::array<AlignedVector<double>, 9>> data_{static_cast<std::size_t>(Field::count)};
+  std::vector<std::array<RawVector<double>, 9>> data_{static_cast<std::size_t>(Field::count)};
   std::vector<std::int64_t> ids_;
 };
 

@@ -25,27 +25,37 @@ Records::Records(std::int64_t owned_slots, std::int64_t dummy_slots, std::int64_
   layout_.resize(Role::owned, owned_slots);
   layout_.resize(Role::dummy, dummy_slots);
   layout_.resize(Role::inner, inner_slots);
-  resize(0, 0);
+  resize(1, 0, 0);
 }
 
-void Records::resize(std::int64_t ghosts, std::int64_t images) {
+void Records::resize(int threads, std::int64_t ghosts, std::int64_t images) {
   const std::int64_t kept = records_.empty() ? 0 : layout_[Role::inner].end();
   layout_.resize(Role::ghost, ghosts);
   layout_.resize(Role::image, images);
   records_.resize(static_cast<std::size_t>(layout_.records() * record_size));
-  for (std::int64_t k = kept; k < layout_.records(); ++k) {
-    std::fill_n(record(k), record_size, 0.0);
-    record(k)[record_x] = far_away;
-    record(k)[record_density] = 1.0;
-  }
+  const auto empty = [&](auto& lines, std::int64_t size, auto value) {
+    parallel_chunks(threads, layout_.records() - kept, particle_chunk,
+                    [&](std::int64_t begin, std::int64_t end) {
+                      std::fill(lines.begin() + (kept + begin) * size,
+                                lines.begin() + (kept + end) * size, value);
+                    });
+  };
+  empty(records_, record_size, 0.0);
+  parallel_chunks(threads, layout_.records() - kept, particle_chunk,
+                  [&](std::int64_t begin, std::int64_t end) {
+                    for (std::int64_t k = kept + begin; k < kept + end; ++k) {
+                      record(k)[record_x] = far_away;
+                      record(k)[record_density] = 1.0;
+                    }
+                  });
   if (has_second()) {
     take_second();
-    std::fill(second_.begin() + kept * second_record_size, second_.end(), 0.0);
-    std::fill(marked_.begin() + kept, marked_.end(), std::uint8_t{0});
+    empty(second_, second_record_size, 0.0);
+    empty(marked_, 1, std::uint8_t{0});
   }
   if (!extra_.empty()) {
     take_extra();
-    std::fill(extra_.begin() + kept * extra_record_size, extra_.end(), 0.0);
+    empty(extra_, extra_record_size, 0.0);
   }
 }
 
@@ -129,13 +139,17 @@ void Records::put_inertia(int threads, Role role, const ParticleBuffers& particl
   });
 }
 
-void Records::put_material(Role role, const ParticleBuffers& particles,
+void Records::put_material(int threads, Role role, const ParticleBuffers& particles,
                            const std::vector<std::int32_t>& alike) {
   material_.resize(static_cast<std::size_t>(layout_.records()));
-  for (const ParticleGroup& group : particles.groups()) {
-    std::fill_n(material_.begin() + layout_[role].first + group.first, group.capacity,
-                alike[group.material]);
-  }
+  const auto first = material_.begin() + layout_[role].first;
+  parallel_chunks(threads, particles.slots(), particle_chunk,
+                  [&](std::int64_t begin, std::int64_t end) {
+                    each_group(particles.groups(), begin, end,
+                               [&](const ParticleGroup& group, std::int64_t from, std::int64_t to) {
+                                 std::fill(first + from, first + to, alike[group.material]);
+                               });
+                  });
 }
 
 void Records::take_second() {

@@ -45,7 +45,7 @@ class Records {
 
   const RecordLayout& layout() const { return layout_; }
   /// Room for this many ghosts and images; what they hold is lost, that of the others stays.
-  void resize(std::int64_t ghosts, std::int64_t images);
+  void resize(int threads, std::int64_t ghosts, std::int64_t images);
 
   /// Writes what `read` names of the records of soil, owned or ghosts, and returns the largest
   /// squared displacement since the lists were built [m2] (0 without build positions). Position,
@@ -73,7 +73,7 @@ class Records {
   void take_second();
 
   /// Notes the material of this soil, or the one that stands for it.
-  void put_material(Role role, const ParticleBuffers& particles,
+  void put_material(int threads, Role role, const ParticleBuffers& particles,
                     const std::vector<std::int32_t>& alike);
   /// Of a record of soil or of an image. Pre: that of the soil is noted.
   std::int32_t& material(std::int64_t index) { return material_[static_cast<std::size_t>(index)]; }

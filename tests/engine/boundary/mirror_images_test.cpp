@@ -214,7 +214,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     const RecordScaling scaling{1.0 / smoothing_length, 1.0, {1e7}};
     Records records(soil.slots(), 0);
     records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot, StressForm::plain);
-    records.resize(0, images.count());
+    records.resize(1, 0, images.count());
     const MirrorImages::Mirrors mirrors{scaling.inverse_smoothing_length, offset, velocity,
                                         corner.gravity};
     images.pack(1, records, mirrors);
@@ -259,6 +259,49 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
       EXPECT_EQ(images.is_close(k, 1), close);
     }
   }
+}
+
+TEST(MirrorImagesTest, ThreadsChangeNothingAndSourcesComeFirst) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> inside(0.0, 2.0 * reach);
+  const Corner corner(random);
+  constexpr std::size_t count = 3000;
+  AlignedVector<double> axes[3];
+  for (std::size_t k = 0; k < count; ++k) {
+    Vec3 point = corner.apex;
+    for (const Vec3& axis : corner.axis) point = plus(point, inside(random), axis);
+    for (std::size_t a = 0; a < 3; ++a) axes[a].push_back(point[a]);
+  }
+  const WallSurface surface(corner.scene);
+  const std::vector<bool> stands(3, true);
+  const std::vector<Vec3> offset(3);
+  const SlotRange ranges[] = {{0, 1300}, {1312, count}};
+  const double both[] = {k0, 0.5};
+  const FastGrains fast{{1, 1400}, 0.1};
+  const auto images_by = [&](int threads) {
+    MirrorImages images;
+    for (int k = 0; k < 2; ++k) {  // in memory that is there too
+      images.select(threads, {corner.scene, surface, {stands, offset}, reach},
+                    {{axes[0].data(), axes[1].data(), axes[2].data()}, ranges, both, 0}, {}, 0.1,
+                    fast);
+    }
+    std::vector<double> all;
+    for (std::int64_t g = 0; g < images.count(); ++g) {
+      EXPECT_LT(images.soil_of(g), static_cast<std::int64_t>(count));
+      all.insert(all.end(),
+                 {images.points().x[g], images.points().y[g], images.points().z[g],
+                  static_cast<double>(images.soil_of(g)), static_cast<double>(images.wall_of(g))});
+    }
+    for (const std::int64_t g : images.fast(threads)) all.push_back(static_cast<double>(g));
+    EXPECT_GT(images.count(), static_cast<std::int64_t>(count));
+    // Moved by what they are images of, one after the other, they stay.
+    const std::vector<double> x(images.points().x, images.points().x + images.count());
+    images.follow({axes[0].data(), axes[1].data(), axes[2].data()});
+    EXPECT_EQ(x, std::vector<double>(images.points().x, images.points().x + images.count()));
+    return all;
+  };
+  const std::vector<double> one = images_by(1);
+  for (const int threads : {2, 4, 8}) EXPECT_EQ(images_by(threads), one) << threads;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "engine/cells/cell_grid.hpp"
 #include "engine/cells/compact_clusters.hpp"
+#include "engine/cells/radix_sort.hpp"
 #include "tests/support/random_points.hpp"
 
 namespace scarp::test {
@@ -23,6 +24,43 @@ TEST(MortonTest, InterleavesBits) {
   EXPECT_EQ(morton_key({0, 0, 1}), 4u);
   EXPECT_EQ(morton_key({0b11, 0b101, 0b001}), 0b010'001'111u);  // x 011, y 101, z 001, x lowest
   EXPECT_EQ(morton_key({0x1fffff, 0x1fffff, 0x1fffff}), 0x7fffffffffffffffu);
+}
+
+/// Items in random order of which every key stands for many; `spread` tells the keys apart.
+std::vector<KeyedSlot> keyed_slots(std::size_t count, std::uint64_t keys, std::uint64_t spread) {
+  std::mt19937_64 random(count + keys);
+  std::uniform_int_distribution<std::uint64_t> number(0, keys - 1);
+  std::vector<KeyedSlot> items;
+  for (std::size_t k = 0; k < count; ++k)
+    items.push_back({number(random) * spread, static_cast<std::int32_t>(k)});
+  return items;
+}
+
+TEST(SortByKeyTest, IsStableForAnyNumberOfItemsKeysAndThreads) {
+  struct Keys {
+    std::uint64_t number, spread;
+  };
+  constexpr std::uint64_t one = 1;
+  // One key, a few, more than a digit tells apart, equal low digits, and all 63 bits.
+  const Keys all_keys[] = {{1, 7}, {3, 1}, {5000, 1}, {2048, one << 33}, {one << 63, 1}};
+  // The sort counts chunks of 8192.
+  for (const std::size_t count : {0u, 1u, 100u, 8191u, 8192u, 8193u, 40000u}) {
+    for (const Keys& keys : all_keys) {
+      const std::vector<KeyedSlot> items = keyed_slots(count, keys.number, keys.spread);
+      std::vector<KeyedSlot> wanted = items;
+      std::stable_sort(wanted.begin(), wanted.end(),
+                       [](const KeyedSlot& a, const KeyedSlot& b) { return a.key < b.key; });
+      for (const int threads : {1, 2, 4, 8}) {
+        RawVector<KeyedSlot> sorted(items.begin(), items.end()), scratch;
+        sort_by_key(threads, sorted, scratch);
+        EXPECT_TRUE(std::equal(sorted.begin(), sorted.end(), wanted.begin(), wanted.end(),
+                               [](const KeyedSlot& a, const KeyedSlot& b) {
+                                 return a.key == b.key && a.slot == b.slot;
+                               }))
+            << count << " " << keys.number << " " << threads;
+      }
+    }
+  }
 }
 
 /// Sum over clusters of the squared diagonal of their bounding box.
@@ -91,6 +129,21 @@ TEST(CellGridTest, OrderIsAPermutationSortedByKey) {
   }
   EXPECT_LT(*std::max_element(order.begin(), order.begin() + 600), 600);
   EXPECT_EQ(std::set<std::int32_t>(order.begin(), order.end()).size(), 992u);
+}
+
+TEST(CellGridTest, ThreadsChangeNeitherOrderNorWhatIsFound) {
+  const Points points = random_points(9000, 4);
+  const SlotRange ranges[] = {{0, 5000}, {5008, 9000}};
+  const auto seen = [&](int threads) {
+    CellGrid grid;
+    grid.build(threads, points.span(), ranges, 0.7);
+    std::vector<std::int32_t> all(grid.order().begin(), grid.order().end());
+    grid.collect(grid.box_of({0.0, 0.0, 0.0}, {6.0, 6.0, 6.0}), all);
+    return all;
+  };
+  const std::vector<std::int32_t> one = seen(1);
+  EXPECT_GT(one.size(), 15000u);
+  for (const int threads : {2, 4, 8}) EXPECT_EQ(seen(threads), one);
 }
 
 /// Slots of the ranges whose cell lies in the box, by looking at every point.

@@ -125,6 +125,54 @@ TEST_P(NeighbourListsTest, HoldEveryPairInReachOnEveryIsa) {
   }
 }
 
+TEST(NeighbourListsThreadsTest, TheListsAreThoseOfOneThread) {
+  // Several chunks, the second range begins within one; few dummies, so that most lists have none.
+  const Points soil = random_points(5000, 8), walls = random_points(30, 9);
+  CellGrid soil_grid, wall_grid;
+  const SlotRange soil_ranges[] = {{0, 2200}, {2208, 5000}}, wall_range{0, 30};
+  const double reach = 0.5;
+  soil_grid.build(1, soil.span(), soil_ranges, 0.5 * reach);
+  wall_grid.build(1, walls.span(), {&wall_range, 1}, 0.5 * reach);
+  const kernels::KernelTable& table = kernels::kernels_of(kernels::available_isas().back());
+  const ParticleSource sources[] = {{Role::owned, &soil_grid, soil.span(), 0},
+                                    {Role::dummy, &wall_grid, walls.span(), 5008}};
+  NeighbourLists::Input input;
+  input.ranges = soil_ranges;
+  input.sources = sources;
+  input.far_record = 5100;
+  input.reach = reach;
+  input.cluster_size = table.cluster_size;
+  Points padded = soil;
+  for (AlignedVector<double>* axis : {&padded.x, &padded.y, &padded.z}) axis->resize(5008);
+  input.points = padded.span();
+  input.slots = 5008;
+  const auto lists_of = [&](int threads) {
+    NeighbourLists lists;
+    for (int k = 0; k < 2; ++k) lists.build(threads, table, input);  // in memory that is there too
+    const kernels::NeighbourView view = lists.view();
+    const std::int64_t clusters = lists.clusters(), blocks = lists.entries() / kernels::entry_block;
+    EXPECT_EQ(view.soil_begin[0], 0);
+    EXPECT_EQ(view.soil_begin[clusters] + 2, blocks);
+    std::vector<std::int64_t> all(view.page, view.page + blocks);
+    all.insert(all.end(), view.place, view.place + blocks * kernels::entry_block);
+    all.insert(all.end(), view.soil_begin, view.soil_begin + clusters + 1);
+    all.insert(all.end(), view.wall_begin, view.wall_begin + clusters);
+    all.insert(all.end(), view.wall_end, view.wall_end + clusters);
+    std::vector<std::int32_t> active;
+    for (std::int64_t c = 0; c < clusters; ++c) {
+      if (view.soil_begin[c + 1] > view.soil_begin[c])
+        active.push_back(static_cast<std::int32_t>(c));
+    }
+    const auto listed = lists.active_clusters();
+    EXPECT_TRUE(std::equal(listed.begin(), listed.end(), active.begin(), active.end()));
+    EXPECT_LT(std::ssize(active), clusters + 1);
+    return all;
+  };
+  const std::vector<std::int64_t> one = lists_of(1);
+  EXPECT_GT(one.size(), 20000u);
+  for (const int threads : {2, 4, 8}) EXPECT_EQ(lists_of(threads), one) << threads;
+}
+
 TEST_P(NeighbourListsTest, ReachFurtherAroundFastPoints) {
   const auto [first_soil, first_wall] = GetParam();
   const Points soil = random_points(777, 5), walls = random_points(300, 6);

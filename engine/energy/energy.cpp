@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/parallel.hpp"
+#include "engine/particles/aligned_vector.hpp"
 #include "engine/state.hpp"
 
 namespace scarp {
@@ -22,36 +24,56 @@ constexpr std::uint64_t steps_per_sample = 10;
 struct StoredEnergy {
   EnergyBalance parts;
   double stress_work = 0.0;
+
+  void add(const StoredEnergy& more) {
+    for (const auto part :
+         {&EnergyBalance::kinetic, &EnergyBalance::kinetic_added, &EnergyBalance::potential,
+          &EnergyBalance::elastic, &EnergyBalance::plastic, &EnergyBalance::diffusion})
+      parts.*part += more.parts.*part;
+    stress_work += more.stress_work;
+  }
 };
+
+/// Of the particles begin .. end of a group.
+StoredEnergy energy_of(const State& state, const ParticleGroup& group, std::int64_t begin,
+                       std::int64_t end) {
+  StoredEnergy sum;
+  const ParticleBuffers& p = state.particles;
+  const double mass = group.mass, inertia = group.inertia();
+  const kernels::ElasticModuli moduli = state.scene.materials[group.material].model.moduli();
+  for (std::int64_t k = begin; k < end; ++k) {
+    const auto value = [&](Field field, int component) {
+      const double* array = p.component(field, component);
+      return array != nullptr ? array[k] : 0.0;
+    };
+    for (int a = 0; a < p.dimension(); ++a) {
+      const double v = value(Field::velocity, a);
+      sum.parts.kinetic += 0.5 * inertia * v * v;
+      sum.parts.kinetic_added += 0.5 * (inertia - mass) * v * v;
+      sum.parts.potential -=
+          mass * state.scene.gravity[static_cast<std::size_t>(a)] * value(Field::position, a);
+    }
+    const SymTensor<double> s{value(Field::stress, 0), value(Field::stress, 1),
+                              value(Field::stress, 2), value(Field::stress, 3),
+                              value(Field::stress, 4), value(Field::stress, 5)};
+    sum.parts.elastic +=
+        0.5 * mass / value(Field::density, 0) * contract(s, kernels::elastic_strain(moduli, s));
+    sum.parts.plastic += mass * value(Field::plastic_work, 0);
+    sum.parts.diffusion += mass * value(Field::diffusion_work, 0);
+    sum.stress_work += mass * value(Field::stress_work, 0);
+  }
+  return sum;
+}
 
 StoredEnergy own_energy(const State& state) {
   StoredEnergy sum;
-  const ParticleBuffers& p = state.particles;
-  const int dimension = state.scene.dimension;
-  for (const ParticleGroup& group : p.groups()) {
-    const double mass = group.mass, inertia = group.inertia();
-    const kernels::ElasticModuli moduli = state.scene.materials[group.material].model.moduli();
-    for (std::int64_t k = group.first; k < group.end(); ++k) {
-      const auto value = [&](Field field, int component) {
-        const double* array = p.component(field, component);
-        return array != nullptr ? array[k] : 0.0;
-      };
-      for (int a = 0; a < dimension; ++a) {
-        const double v = value(Field::velocity, a);
-        sum.parts.kinetic += 0.5 * inertia * v * v;
-        sum.parts.kinetic_added += 0.5 * (inertia - mass) * v * v;
-        sum.parts.potential -=
-            mass * state.scene.gravity[static_cast<std::size_t>(a)] * value(Field::position, a);
-      }
-      const SymTensor<double> s{value(Field::stress, 0), value(Field::stress, 1),
-                                value(Field::stress, 2), value(Field::stress, 3),
-                                value(Field::stress, 4), value(Field::stress, 5)};
-      sum.parts.elastic +=
-          0.5 * mass / value(Field::density, 0) * contract(s, kernels::elastic_strain(moduli, s));
-      sum.parts.plastic += mass * value(Field::plastic_work, 0);
-      sum.parts.diffusion += mass * value(Field::diffusion_work, 0);
-      sum.stress_work += mass * value(Field::stress_work, 0);
-    }
+  for (const ParticleGroup& group : state.particles.groups()) {
+    sum.add(parallel_reduce(
+        state.threads, group.count, particle_chunk, StoredEnergy{},
+        [&](std::int64_t begin, std::int64_t end) {
+          return energy_of(state, group, group.first + begin, group.first + end);
+        },
+        [](StoredEnergy& total, const StoredEnergy& part) { total.add(part); }));
   }
   sum.parts.hooks = state.ledger.hooks.net;
   sum.parts.sleep = state.sleep.kinetic;
@@ -67,19 +89,24 @@ StoredEnergy stored_energy(const State& state) {
   return sum;
 }
 
-using Acceleration = std::array<AlignedVector<double>, 3>;
-
-/// sum m v . a over the soil of this part.
-double power(const State& state, const Acceleration& acceleration) {
+/// sum m v . a over the soil of this part, m the inertia.
+double power(const State& state, const double* const (&acceleration)[3]) {
+  const double* velocity[3];
+  state.particles.components(Field::velocity, velocity);
   double sum = 0.0;
   for (const ParticleGroup& group : state.particles.groups()) {
-    for (int a = 0; a < state.scene.dimension; ++a) {
-      const double* v = state.particles.component(Field::velocity, a);
-      const double* f = acceleration[static_cast<std::size_t>(a)].data();
-      double part = 0.0;
-      for (std::int64_t k = group.first; k < group.end(); ++k) part += v[k] * f[k];
-      sum += group.inertia() * part;
-    }
+    sum += group.inertia() *
+           parallel_reduce(
+               state.threads, group.count, particle_chunk, 0.0,
+               [&](std::int64_t begin, std::int64_t end) {
+                 double part = 0.0;
+                 for (int a = 0; a < state.scene.dimension; ++a) {
+                   for (std::int64_t k = group.first + begin; k < group.first + end; ++k)
+                     part += velocity[a][k] * acceleration[a][k];
+                 }
+                 return part;
+               },
+               [](double& total, double part) { total += part; });
   }
   return sum;
 }
@@ -93,12 +120,17 @@ void sample_energy(State& state) {
   ledger.last_time = state.report.time;
   ledger.last_step = state.report.step;
 
-  Acceleration acceleration;
+  RawVector<double> forces[3];
+  const double* acceleration[3];
   kernels::PairSweepView<double> view = sweep_input_view(state);
   double** out = view.output + output_place(Field::acceleration);
   for (std::size_t a = 0; a < 3; ++a) {
-    acceleration[a].assign(static_cast<std::size_t>(state.particles.slots()), 0.0);
-    out[a] = acceleration[a].data();
+    forces[a].resize(static_cast<std::size_t>(state.particles.slots()));
+    acceleration[a] = out[a] = forces[a].data();
+    parallel_chunks(state.threads, state.particles.slots(), particle_chunk,
+                    [to = out[a]](std::int64_t begin, std::int64_t end) {
+                      std::fill(to + begin, to + end, 0.0);
+                    });
   }
   const auto power_of = [&](bool viscosity, bool tension) {
     kernels::PairConstants<double>& c = view.constants;
@@ -118,13 +150,9 @@ void sample_energy(State& state) {
   now.viscous = without_viscosity - total;
   now.artificial_stress = stress_only - without_viscosity;
   now.stress = stress_only;
-  for (const ParticleGroup& group : state.particles.groups()) {
-    for (int a = 0; a < state.scene.dimension; ++a) {
-      const double* v = state.particles.component(Field::velocity, a);
-      const double drag = state.stage.damping * group.inertia();
-      for (std::int64_t k = group.first; k < group.end(); ++k) now.damping += drag * v[k] * v[k];
-    }
-  }
+  const double* velocity[3];
+  state.particles.components(Field::velocity, velocity);
+  now.damping = state.stage.damping * power(state, velocity);
   state.reduction->sum_each({&now.stress, &now.viscous, &now.artificial_stress, &now.damping});
   if (std::any_of(state.boundary.velocity.begin(), state.boundary.velocity.end(),
                   [](const Vec3& v) { return v != Vec3{}; })) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -18,24 +19,42 @@
 namespace scarp {
 namespace {
 
-/// Height of each particle's centre along gravity and its material, of this part of the soil;
-/// without gravity along the last axis. Lost soil counts only where all is lost.
+/// Heights of particles' centres along gravity; without gravity along the last axis. Lost soil
+/// counts only where all is lost.
+class Heights {
+ public:
+  explicit Heights(const State& state) : state_(state) {
+    const Vec3& g = state.scene.gravity;
+    const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    for (int a = 0; a < state.scene.dimension; ++a) {
+      up_[static_cast<std::size_t>(a)] =
+          size > 0.0 ? -g[static_cast<std::size_t>(a)] / size : (a == state.scene.dimension - 1);
+    }
+    const double all = state.reduction->sum_of(static_cast<double>(state.particles.count()));
+    all_lost_ = static_cast<double>(state.lost.particles) == all;
+  }
+  bool counts(std::int64_t slot) const { return all_lost_ || !state_.is_lost(slot); }
+  double operator[](std::int64_t slot) const {
+    double up = 0.0;
+    for (int a = 0; a < state_.scene.dimension; ++a)
+      up += up_[static_cast<std::size_t>(a)] * state_.particles.component(Field::position, a)[slot];
+    return up;
+  }
+
+ private:
+  const State& state_;
+  Vec3 up_{};
+  bool all_lost_ = false;
+};
+
+/// Of each particle of this part of the soil, and its material.
 std::vector<double> own_levels(const State& state) {
-  const Vec3& g = state.scene.gravity;
-  const double size = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-  const double all = state.reduction->sum_of(static_cast<double>(state.particles.count()));
-  const bool all_lost = static_cast<double>(state.lost.particles) == all;
+  const Heights heights(state);
   std::vector<double> found;
   for (const ParticleGroup& group : state.particles.groups()) {
     for (std::int64_t k = group.first; k < group.end(); ++k) {
-      if (!all_lost && state.is_lost(k)) continue;
-      double up = 0.0;
-      for (int a = 0; a < state.scene.dimension; ++a) {
-        const double share =
-            size > 0.0 ? -g[static_cast<std::size_t>(a)] / size : (a == state.scene.dimension - 1);
-        up += share * state.particles.component(Field::position, a)[k];
-      }
-      found.insert(found.end(), {up, static_cast<double>(group.material)});
+      if (heights.counts(k))
+        found.insert(found.end(), {heights[k], static_cast<double>(group.material)});
     }
   }
   return found;
@@ -132,14 +151,28 @@ void update_walls(State& state, const std::string& stage) {
 
 double soil_height(const State& state) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  double low = infinity, high = -infinity;
-  const std::vector<double> own = own_levels(state);
-  for (std::size_t k = 0; k < own.size(); k += 2) {
-    low = std::min(low, own[k]);
-    high = std::max(high, own[k]);
+  struct Range {
+    double low = infinity, high = -infinity;
+    void widen(const Range& more) {
+      low = std::min(low, more.low);
+      high = std::max(high, more.high);
+    }
+  } range;
+  const Heights heights(state);
+  for (const ParticleGroup& group : state.particles.groups()) {
+    range.widen(parallel_reduce(
+        state.threads, group.count, particle_chunk, Range{},
+        [&](std::int64_t begin, std::int64_t end) {
+          Range here;
+          for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+            if (heights.counts(k)) here.widen({heights[k], heights[k]});
+          }
+          return here;
+        },
+        [](Range& total, const Range& part) { total.widen(part); }));
   }
-  low = state.reduction->minimum_of(low);
-  return state.reduction->maximum_of(high) - low + state.particles.largest_spacing();
+  range.low = state.reduction->minimum_of(range.low);
+  return state.reduction->maximum_of(range.high) - range.low + state.particles.largest_spacing();
 }
 
 double fastest_soil(const State& state) {

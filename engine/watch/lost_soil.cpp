@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -79,22 +80,16 @@ class LostSearch {
   /// Slots for which is(slot, search) holds and that have not been counted, in order.
   template <class Is>
   Slots select(const Is& is) const {
-    Slots all;
+    Slots all, of_group;
     for (const ParticleGroup& group : state_.particles.groups()) {
-      const Slots part = parallel_reduce(
-          state_.threads, group.count, particle_chunk, Slots{},
-          [&](std::int64_t begin, std::int64_t end) {
-            Slots chosen;
-            FacetSearch search;
-            for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
-              if (!state_.is_lost(k) && is(k, search)) chosen.push_back(k);
-            }
-            return chosen;
-          },
-          [](Slots& total, const Slots& more) {
-            total.insert(total.end(), more.begin(), more.end());
-          });
-      all.insert(all.end(), part.begin(), part.end());
+      parallel_gather(state_.threads, group.count, particle_chunk, of_group,
+                      [&](std::int64_t begin, std::int64_t end, Slots& chosen) {
+                        FacetSearch search;
+                        for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+                          if (!state_.is_lost(k) && is(k, search)) chosen.push_back(k);
+                        }
+                      });
+      all.insert(all.end(), of_group.begin(), of_group.end());
     }
     return all;
   }
@@ -193,18 +188,24 @@ class LostSearch {
   /// Those of `loose` under which no other soil lies, within the reach to the side.
   Slots over_nothing(const Slots& loose) const {
     const Across across(state_.scene, reach_);
+    // Of the columns around all loose soil; the parts tell each other which, then how deep.
     std::unordered_map<Across::Column, double, Across::Hash> deepest;
-    const auto take = [&deepest](const Across::Column& column, double depth) {
-      const auto [entry, fresh] = deepest.emplace(column, depth);
-      if (!fresh) entry->second = std::max(entry->second, depth);
-    };
-    const Slots held = select([&loose](std::int64_t k, auto&) {
-      return !std::binary_search(loose.begin(), loose.end(), k);
-    });
-    for (const std::int64_t k : held) {
-      const Vec3 x = vector(Field::position, k);
-      take(across.column(x), across.depth(x));
+    std::vector<double> asked;
+    for (const std::int64_t k : loose) {
+      across.around(across.column(vector(Field::position, k)), [&](const Across::Column& column) {
+        if (deepest.emplace(column, -infinity).second)
+          asked.insert(asked.end(),
+                       {static_cast<double>(column[0]), static_cast<double>(column[1])});
+      });
     }
+    state_.reduction->gather(asked);
+    const auto column_at = [](const std::vector<double>& numbers, std::size_t k) {
+      return Across::Column{static_cast<std::int64_t>(numbers[k]),
+                            static_cast<std::int64_t>(numbers[k + 1])};
+    };
+    for (std::size_t k = 0; k < asked.size(); k += 2)
+      deepest.emplace(column_at(asked, k), -infinity);
+    take_deepest(across, loose, deepest);
     std::vector<double> of_all;
     for (const auto& [column, depth] : deepest) {
       of_all.insert(of_all.end(),
@@ -212,8 +213,8 @@ class LostSearch {
     }
     state_.reduction->gather(of_all);
     for (std::size_t k = 0; k < of_all.size(); k += 3) {
-      take({static_cast<std::int64_t>(of_all[k]), static_cast<std::int64_t>(of_all[k + 1])},
-           of_all[k + 2]);
+      double& depth = deepest.at(column_at(of_all, k));
+      depth = std::max(depth, of_all[k + 2]);
     }
     Slots lost;
     std::copy_if(loose.begin(), loose.end(), std::back_inserter(lost), [&](std::int64_t k) {
@@ -226,6 +227,28 @@ class LostSearch {
       return !over_soil;
     });
     return lost;
+  }
+
+  /// Lowers columns to the deepest soil in them that is not loose; of a maximum the order of the
+  /// threads changes nothing.
+  template <class Depths>
+  void take_deepest(const Across& across, const Slots& loose, Depths& deepest) const {
+    for (const ParticleGroup& group : state_.particles.groups()) {
+      parallel_chunks(
+          state_.threads, group.count, particle_chunk, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t k = group.first + begin; k < group.first + end; ++k) {
+              if (state_.is_lost(k) || std::binary_search(loose.begin(), loose.end(), k)) continue;
+              const Vec3 x = vector(Field::position, k);
+              const auto column = deepest.find(across.column(x));
+              if (column == deepest.end()) continue;
+              const std::atomic_ref depth(column->second);
+              double before = depth.load();
+              while (before < across.depth(x) &&
+                     !depth.compare_exchange_weak(before, across.depth(x))) {
+              }
+            }
+          });
+    }
   }
 
   const State& state_;

@@ -43,17 +43,25 @@ double speed_squared(const State& state, std::int64_t slot) {
 
 /// Below 0 in a part without soil.
 std::int64_t fastest_slot(const State& state) {
-  std::int64_t fastest = -1;
-  double most = -1.0;
-  for (const ParticleGroup& group : state.particles.groups()) {
-    for (std::int64_t k = group.first; k < group.end(); ++k) {
-      const double square = speed_squared(state, k);
-      if (square <= most) continue;
-      most = square;
-      fastest = k;
+  struct Fastest {
+    double square = -1.0;
+    std::int64_t slot = -1;
+    void look_at(const Fastest& other) {
+      if (!(other.square <= square)) *this = other;
     }
+  } fastest;
+  for (const ParticleGroup& group : state.particles.groups()) {
+    fastest.look_at(parallel_reduce(
+        state.threads, group.count, particle_chunk, Fastest{},
+        [&](std::int64_t begin, std::int64_t end) {
+          Fastest here;
+          for (std::int64_t k = group.first + begin; k < group.first + end; ++k)
+            here.look_at({speed_squared(state, k), k});
+          return here;
+        },
+        [](Fastest& total, const Fastest& part) { total.look_at(part); }));
   }
-  return fastest;
+  return fastest.slot;
 }
 
 /// What waves, the start of the stage, its walls and hooks give a reason for.

@@ -6,18 +6,22 @@
 
 namespace scarp {
 
-SlotRanges::SlotRanges(const std::vector<ParticleGroup>& groups,
+SlotRanges::SlotRanges(int threads, const std::vector<ParticleGroup>& groups,
                        std::span<const std::uint8_t> chosen)
     : all_(false) {
+  std::vector<Range> of_group;
   for (const ParticleGroup& group : groups) {
     first_.push_back(ranges_.size());
-    for (std::int64_t slot = group.first; slot < group.padded_end(); slot += block_size) {
-      if (chosen[static_cast<std::size_t>(slot / block_size)] == 0) continue;
-      const bool goes_on = ranges_.size() > first_.back() && ranges_.back().end == slot &&
-                           (slot - group.first) % particle_chunk != 0;
-      if (!goes_on) ranges_.push_back({slot, slot});
-      ranges_.back().end = slot + block_size;
-    }
+    parallel_gather(threads, group.capacity, particle_chunk, of_group,
+                    [&](std::int64_t begin, std::int64_t end, auto& out) {
+                      for (std::int64_t slot = group.first + begin; slot < group.first + end;
+                           slot += block_size) {
+                        if (chosen[static_cast<std::size_t>(slot / block_size)] == 0) continue;
+                        if (out.empty() || out.back().end != slot) out.push_back({slot, slot});
+                        out.back().end = slot + block_size;
+                      }
+                    });
+    ranges_.insert(ranges_.end(), of_group.begin(), of_group.end());
   }
   first_.push_back(ranges_.size());
 }

@@ -24,7 +24,8 @@ class SlotRanges {
 
   SlotRanges() = default;
   /// Those of the blocks for which `chosen` is not 0.
-  SlotRanges(const std::vector<ParticleGroup>& groups, std::span<const std::uint8_t> chosen);
+  SlotRanges(int threads, const std::vector<ParticleGroup>& groups,
+             std::span<const std::uint8_t> chosen);
 
   bool all() const { return all_; }
   bool none() const { return !all_ && ranges_.empty(); }

@@ -3,6 +3,7 @@
 #include "engine/sleep/block_graph.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/parallel.hpp"
 #include "engine/particles/slot_ranges.hpp"
@@ -72,28 +73,29 @@ BlockLists collect_lists(const State& state, std::int64_t count, std::vector<std
                          const Collect& collect) {
   constexpr std::int64_t chunk = 64;
   driven.assign(static_cast<std::size_t>(count), 0);
-  std::vector<BlockLists> parts(static_cast<std::size_t>((count + chunk - 1) / chunk));
-  parallel_chunks(state.threads, count, chunk, [&](std::int64_t begin, std::int64_t end) {
+  std::vector<std::size_t> sizes(static_cast<std::size_t>(count));
+  RawVector<std::int32_t> all;
+  const auto append_items = [&](std::int64_t begin, std::int64_t end, auto& out) {
     Collector collector(state);
     for (std::int64_t item = begin; item < end; ++item) {
       collector.begin();
       collect(collector, item);
-      parts[static_cast<std::size_t>(begin / chunk)].append(collector.blocks());
+      const std::span<const std::int32_t> blocks = collector.blocks();
+      out.insert(out.end(), blocks.begin(), blocks.end());
+      sizes[static_cast<std::size_t>(item)] = blocks.size();
       driven[static_cast<std::size_t>(item)] = collector.driven() ? 1 : 0;
     }
-  });
-  BlockLists all;
-  for (const BlockLists& part : parts) {
-    for (std::int64_t item = 0; item < part.size(); ++item) all.append(part[item]);
-  }
-  return all;
+  };
+  parallel_gather(state.threads, count, chunk, all, append_items);
+  return {std::move(sizes), std::move(all)};
 }
 
 }  // namespace
 
-void BlockLists::append(std::span<const std::int32_t> blocks) {
-  blocks_.insert(blocks_.end(), blocks.begin(), blocks.end());
-  begin_.push_back(blocks_.size());
+BlockLists::BlockLists(std::vector<std::size_t> sizes, RawVector<std::int32_t> blocks)
+    : begin_(std::move(sizes)), blocks_(std::move(blocks)) {
+  begin_.push_back(0);
+  put_behind_each_other(begin_);
 }
 
 BlockGraph make_block_graph(const State& state) {

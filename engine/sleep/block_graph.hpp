@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/particles/aligned_vector.hpp"
+
 namespace scarp {
 
 struct State;
@@ -14,16 +16,18 @@ struct State;
 /// For each of some items the soil blocks that its neighbour lists name.
 class BlockLists {
  public:
+  BlockLists() = default;
+  /// The blocks of all items, and how many each has.
+  BlockLists(std::vector<std::size_t> sizes, RawVector<std::int32_t> blocks);
   std::int64_t size() const { return static_cast<std::int64_t>(begin_.size()) - 1; }
   std::span<const std::int32_t> operator[](std::int64_t item) const {
     const std::size_t k = static_cast<std::size_t>(item), first = begin_[k];
     return std::span(blocks_).subspan(first, begin_[k + 1] - first);
   }
-  void append(std::span<const std::int32_t> blocks);
 
  private:
   std::vector<std::size_t> begin_{0};
-  std::vector<std::int32_t> blocks_;
+  RawVector<std::int32_t> blocks_;
 };
 
 /// Made of the neighbour lists whenever they are built. An image counts as the soil it is one of.

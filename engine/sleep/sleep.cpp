@@ -3,9 +3,12 @@
 #include "engine/sleep/sleep.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
+#include "engine/sleep/each_block.hpp"
 #include "engine/state.hpp"
 
 namespace scarp {
@@ -23,52 +26,57 @@ Rest& rest_of(Sleep& sleep, std::int32_t block) {
 
 /// Soil asleep that a block of `from` has for a neighbour, and that is nothing more than deep yet,
 /// becomes `to`.
-void mark_neighbours(Sleep& sleep, Rest from, Rest to) {
-  const std::int64_t blocks = std::ssize(sleep.rest);
-  for (std::int32_t block = 0; block < blocks; ++block) {
-    if (rest_of(sleep, block) != Rest::deep) continue;
+void mark_neighbours(int threads, Sleep& sleep, Rest from, Rest to) {
+  const std::vector<Rest> before = sleep.rest;
+  each_block(threads, std::ssize(before), [&](std::int32_t block) {
+    const auto rest_before = [&](std::int32_t b) { return before[static_cast<std::size_t>(b)]; };
+    if (rest_before(block) != Rest::deep) return;
     const auto near = sleep.graph.soil[block];
     if (std::any_of(near.begin(), near.end(),
-                    [&](std::int32_t other) { return rest_of(sleep, other) == from; }))
+                    [&](std::int32_t other) { return rest_before(other) == from; }))
       rest_of(sleep, block) = to;
-  }
+  });
 }
 
-/// Soil awake that soil asleep has for a neighbour.
-void mark_rim(Sleep& sleep) {
+/// Soil awake that soil asleep has for a neighbour. Several threads may mark the same.
+void mark_rim(int threads, Sleep& sleep) {
   sleep.rim.assign(sleep.rest.size(), 0);
-  const std::int64_t blocks = std::ssize(sleep.rest);
-  for (std::int32_t block = 0; block < blocks; ++block) {
-    if (rest_of(sleep, block) != Rest::edge) continue;
+  each_block(threads, std::ssize(sleep.rest), [&](std::int32_t block) {
+    if (rest_of(sleep, block) != Rest::edge) return;
     for (const std::int32_t other : sleep.graph.soil[block]) {
-      if (rest_of(sleep, other) == Rest::awake) sleep.rim[static_cast<std::size_t>(other)] = 1;
+      if (rest_of(sleep, other) == Rest::awake)
+        std::atomic_ref(sleep.rim[static_cast<std::size_t>(other)])
+            .store(1, std::memory_order_relaxed);
     }
-  }
+  });
 }
 
 /// Dummies that the swept soil reads, and what they read.
 void mark_walls(State& state) {
   Sleep& sleep = state.sleep;
-  sleep.wall_clusters.clear();
   const auto active = state.neighbours.wall_lists.active_clusters();
   const int size = state.kernels.table->cluster_size;
   std::vector<std::uint8_t> wanted(static_cast<std::size_t>(state.boundary.walls.slots() / size));
-  for (std::int64_t k = 0; k < sleep.graph.walls.size(); ++k) {
+  const auto cluster = [&](std::int64_t k) { return active[static_cast<std::size_t>(k)]; };
+  each_block(state.threads, sleep.graph.walls.size(), [&](std::int32_t k) {
     const auto near = sleep.graph.walls[k];
     if (std::any_of(near.begin(), near.end(),
                     [&](std::int32_t block) { return rest_of(sleep, block) <= Rest::edge; }))
-      wanted[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])] = 1;
-  }
+      wanted[static_cast<std::size_t>(cluster(k))] = 1;
+  });
   state.boundary.walls.add_partners(wanted, size);
-  for (std::int64_t k = 0; k < sleep.graph.walls.size(); ++k) {
-    const std::int32_t cluster = active[static_cast<std::size_t>(k)];
-    if (wanted[static_cast<std::size_t>(cluster)] == 0) continue;
-    sleep.wall_clusters.push_back(cluster);
-    for (const std::int32_t block : sleep.graph.walls[k]) {
-      Rest& rest = rest_of(sleep, block);
-      rest = std::min(rest, Rest::read);
-    }
-  }
+  parallel_gather(state.threads, sleep.graph.walls.size(), blocks_at_once, sleep.wall_clusters,
+                  [&](std::int64_t begin, std::int64_t end, auto& out) {
+                    for (std::int64_t k = begin; k < end; ++k) {
+                      if (wanted[static_cast<std::size_t>(cluster(k))] == 0) continue;
+                      out.push_back(cluster(k));
+                      for (const std::int32_t block : sleep.graph.walls[k]) {
+                        const std::atomic_ref rest(rest_of(sleep, block));
+                        if (rest.load(std::memory_order_relaxed) == Rest::deep)
+                          rest.store(Rest::read, std::memory_order_relaxed);
+                      }
+                    }
+                  });
 }
 
 /// Kick-drift-kick looks at the edge when the next step begins.
@@ -88,27 +96,32 @@ void classify_sleep(State& state) {
   for (Rest& rest : sleep.rest) {
     if (rest != Rest::awake) rest = Rest::deep;
   }
-  mark_neighbours(sleep, Rest::awake, Rest::edge);
-  mark_neighbours(sleep, Rest::edge, Rest::read);
-  mark_rim(sleep);
+  mark_neighbours(state.threads, sleep, Rest::awake, Rest::edge);
+  mark_neighbours(state.threads, sleep, Rest::edge, Rest::read);
+  mark_rim(state.threads, sleep);
   mark_walls(state);
-  const auto up_to = [&](Rest most) {
+  const auto slots_up_to = [&](Rest most) {
     std::vector<std::uint8_t> chosen(sleep.rest.size());
     std::transform(sleep.rest.begin(), sleep.rest.end(), chosen.begin(),
                    [most](Rest rest) { return rest <= most ? 1 : 0; });
-    return SlotRanges(state.particles.groups(), chosen);
+    return SlotRanges(state.threads, state.particles.groups(), chosen);
   };
-  sleep.awake = up_to(Rest::awake);
-  sleep.swept = up_to(Rest::edge);
-  sleep.packed = up_to(Rest::read);
-  sleep.awake_clusters.clear();
-  sleep.swept_clusters.clear();
+  sleep.awake = slots_up_to(Rest::awake);
+  sleep.swept = slots_up_to(Rest::edge);
+  sleep.packed = slots_up_to(Rest::read);
   const std::int32_t clusters = static_cast<std::int32_t>(block_size) / state.kernels.cluster_size;
-  for (const std::int32_t cluster : state.neighbours.lists.active_clusters()) {
-    const Rest rest = rest_of(sleep, cluster / clusters);
-    if (rest <= Rest::edge) sleep.swept_clusters.push_back(cluster);
-    if (rest == Rest::awake) sleep.awake_clusters.push_back(cluster);
-  }
+  const auto active = state.neighbours.lists.active_clusters();
+  const auto clusters_up_to = [&](Rest most, RawVector<std::int32_t>& chosen) {
+    parallel_gather(state.threads, std::ssize(active), blocks_at_once * clusters, chosen,
+                    [&](std::int64_t begin, std::int64_t end, auto& out) {
+                      for (std::int64_t k = begin; k < end; ++k) {
+                        const std::int32_t cluster = active[static_cast<std::size_t>(k)];
+                        if (rest_of(sleep, cluster / clusters) <= most) out.push_back(cluster);
+                      }
+                    });
+  };
+  clusters_up_to(Rest::awake, sleep.awake_clusters);
+  clusters_up_to(Rest::edge, sleep.swept_clusters);
 }
 
 void ensure_block_graph(State& state) {
@@ -179,11 +192,18 @@ void regroup_sleep(State& state) {
   const std::int64_t blocks = state.particles.slots() / block_size;
   all_awake(sleep);
   sleep.graph_valid = false;
-  if (std::none_of(asleep, asleep + state.particles.slots(), [](double a) { return a != 0.0; }))
-    return;
+  const auto add = [](std::int64_t& total, std::int64_t part) { total += part; };
+  const std::int64_t marked = parallel_reduce(
+      state.threads, state.particles.slots(), particle_chunk, std::int64_t{0},
+      [asleep](std::int64_t begin, std::int64_t end) {
+        return std::count_if(asleep + begin, asleep + end, [](double a) { return a != 0.0; });
+      },
+      add);
+  if (marked == 0) return;
   ensure_block_graph(state);
   sleep.rest.assign(static_cast<std::size_t>(blocks), Rest::deep);
-  for (std::int64_t block = 0; block < blocks; ++block) {
+  /// Returns how many particles of a block sleep on.
+  const auto regroup = [&](std::int64_t block) {
     const std::int64_t first = block * block_size;
     std::int64_t particles = 0, sleepers = 0;
     for (std::int64_t k = first; k < first + block_size; ++k) {
@@ -192,13 +212,19 @@ void regroup_sleep(State& state) {
       sleepers += asleep[k] != 0.0 ? 1 : 0;
     }
     const auto b = static_cast<std::size_t>(block);
-    if (particles > 0 && (sleepers < particles || sleep.graph.driven[b] != 0)) {
-      sleep.rest[b] = Rest::awake;
-      std::fill_n(asleep + first, block_size, 0.0);
-      sleepers = 0;
-    }
-    sleep.asleep += sleepers;
-  }
+    if (particles == 0 || (sleepers == particles && sleep.graph.driven[b] == 0)) return sleepers;
+    sleep.rest[b] = Rest::awake;
+    std::fill_n(asleep + first, block_size, 0.0);
+    return std::int64_t{0};
+  };
+  sleep.asleep = parallel_reduce(
+      state.threads, blocks, blocks_at_once, std::int64_t{0},
+      [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t sleepers = 0;
+        for (std::int64_t block = begin; block < end; ++block) sleepers += regroup(block);
+        return sleepers;
+      },
+      add);
   classify_sleep(state);
 }
 

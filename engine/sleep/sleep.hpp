@@ -42,8 +42,8 @@ struct Sleep {
   std::vector<std::uint8_t> rim;    ///< by block: 1 where it is awake and a neighbour sleeps
   std::vector<Rest> rest;           ///< by block; empty: everything is awake
   SlotRanges awake, swept, packed;  ///< swept: with the edge; packed: with what is read too
-  std::vector<std::int32_t> awake_clusters, swept_clusters;
-  std::vector<std::int32_t> wall_clusters;  ///< of dummies that the swept soil reads
+  RawVector<std::int32_t> awake_clusters, swept_clusters;
+  RawVector<std::int32_t> wall_clusters;  ///< of dummies that the swept soil reads
 
   bool wanted() const { return bounds.lasting > 0.0; }
   bool any() const { return asleep > 0; }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/parallel.hpp"
+#include "engine/sleep/each_block.hpp"
 #include "engine/sleep/sleep.hpp"
 #include "engine/state.hpp"
 
@@ -15,9 +15,6 @@ constexpr double wake_over_calm = 4.0;
 
 /// Steps between two looks for soil that rests.
 constexpr std::uint64_t steps_per_sleep_look = 2 * steps_per_edge_look;
-
-/// Blocks that a thread takes at once.
-constexpr std::int64_t blocks_at_once = 32;
 
 /// In place of a time: the particle has fallen asleep, and its force has not been summed since.
 constexpr double no_force_yet = -1.0;
@@ -92,11 +89,9 @@ class SleepUpdate {
   std::vector<std::uint8_t> for_blocks(const Is& is) const {
     const std::int64_t blocks = particles_.slots() / block_size;
     std::vector<std::uint8_t> found(static_cast<std::size_t>(blocks));
-    parallel_chunks(
-        state_.threads, blocks, blocks_at_once, [&](std::int64_t begin, std::int64_t end) {
-          for (std::int64_t b = begin; b < end; ++b)
-            found[static_cast<std::size_t>(b)] = is(static_cast<std::int32_t>(b)) ? 1 : 0;
-        });
+    each_block(state_.threads, blocks, [&](std::int32_t block) {
+      found[static_cast<std::size_t>(block)] = is(block) ? 1 : 0;
+    });
     return found;
   }
   /// Calls act(block) where chosen, in order; returns whether there was any.

@@ -28,20 +28,31 @@ struct CellHash {
 
 }  // namespace
 
+AskedInertia::AskedInertia(const Scene& scene)
+    : form_(smoothing_of(scene.numerics)),
+      smoothing_length_(scene.numerics.smoothing_ratio * scene.spacing) {
+  double fastest = 0.0;
+  for (const Material& material : scene.materials)
+    fastest = std::max(fastest, material.sound_speed());
+  for (const Material& material : scene.materials) {
+    modulus_.push_back(material.model.moduli().wave_modulus());
+    unscaled_modulus_.push_back(material.density * fastest * fastest);
+    mass_scaling_.push_back(material.mass_scaling);
+  }
+}
+
+double AskedInertia::of(std::size_t material, const Sums& sums) const {
+  const double own = mass_scaling_[material];
+  if (!(sums.moduli > enough_more * own * sums.weights)) return own;
+  return std::max(own, std::exp2(std::ceil(std::log2(sums.moduli / sums.weights))));
+}
+
 std::vector<double> shared_inertia(const Scene& scene, const Particles& soil) {
   const std::size_t count = soil.position.size();
-  std::vector<double> inertia(count);
-  for (std::size_t k = 0; k < count; ++k)
-    inertia[k] = scene.materials[soil.material[k]].mass_scaling;
+  std::vector<double> inertia(count, 1.0);
   if (!scales_mass(scene)) return inertia;
-  double fastest = 0.0;
-  std::vector<double> modulus;
-  for (const Material& material : scene.materials) {
-    fastest = std::max(fastest, material.sound_speed());
-    modulus.push_back(material.model.moduli().wave_modulus());
-  }
-  const kernels::SmoothingForm& form = smoothing_of(scene.numerics);
-  const double h = scene.numerics.smoothing_ratio * scene.spacing, reach = 2.0 * h;
+  const AskedInertia asked(scene);
+  const double reach = 2.0 * scene.numerics.smoothing_ratio * scene.spacing;
   const auto cell_of = [&](const Vec3& x) {
     Cell cell{};
     for (std::size_t a = 0; a < 3; ++a)
@@ -50,12 +61,10 @@ std::vector<double> shared_inertia(const Scene& scene, const Particles& soil) {
   };
   std::unordered_map<Cell, std::vector<std::size_t>, CellHash> cells;
   for (std::size_t k = 0; k < count; ++k) cells[cell_of(soil.position[k])].push_back(k);
-  std::vector<double> shared = inertia;
   for (std::size_t k = 0; k < count; ++k) {
     const Vec3& x = soil.position[k];
     const Cell centre = cell_of(x);
-    const double density = scene.materials[soil.material[k]].density;
-    double weights = 0.0, sum = 0.0;
+    AskedInertia::Sums sums;
     const std::int64_t deep = scene.dimension == 3 ? 1 : 0;
     for (std::int64_t a = -1; a <= 1; ++a) {
       for (std::int64_t b = -1; b <= 1; ++b) {
@@ -64,18 +73,15 @@ std::vector<double> shared_inertia(const Scene& scene, const Particles& soil) {
           if (found == cells.end()) continue;
           for (const std::size_t j : found->second) {
             const Vec3& y = soil.position[j];
-            const double weight =
-                std::abs(form.slope(std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) / h));
-            weights += weight;
-            sum += weight * modulus[soil.material[j]] / (density * fastest * fastest);
+            asked.add(soil.material[k], soil.material[j],
+                      std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]), sums);
           }
         }
       }
     }
-    if (sum > enough_more * inertia[k] * weights)
-      shared[k] = std::max(inertia[k], std::exp2(std::ceil(std::log2(sum / weights))));
+    inertia[k] = asked.of(soil.material[k], sums);
   }
-  return shared;
+  return inertia;
 }
 
 }  // namespace scarp

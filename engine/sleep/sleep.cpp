@@ -148,8 +148,8 @@ std::span<const std::int32_t> wall_clusters(const State& state) {
                                           : state.neighbours.wall_lists.active_clusters();
 }
 
-/// What each bound leaves open, over the overburden: the change of the force that soil asleep may
-/// have, the mean force that calm soil may have over the window, and the wave that is stopped.
+/// What each bound leaves open, over the overburden: the change of the stress at the edge of soil
+/// asleep, the mean force that calm soil may have over the window, and the wave that is stopped.
 constexpr double share_of_each = 1.0 / (1.0 + 4.0 / std::numbers::pi + 2.0 / std::numbers::pi);
 
 void set_sleep_bounds(State& state, double height, double passage) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -23,10 +24,15 @@ enum class Rest : std::uint8_t { awake, edge, read, deep };
 /// Bounds of a stage; zero: nothing sleeps in it, nor in a soil that is held in several parts.
 /// Equation: Z1.
 struct SleepBounds {
-  double lasting = 0.0;       ///< mean change of f since soil fell asleep that wakes it [m/s2]
+  double lasting = 0.0;       ///< e g: mean |f + g| that calm soil may have, within 4/pi [m/s2]
   double speed = 0.0;         ///< below which soil is calm [m/s]
   double acceleration = 0.0;  ///< |f + g| below which it is calm [m/s2]
-  double window = 0.0;        ///< time of calm before it falls asleep, and of that mean [s]
+  double window = 0.0;        ///< time of calm before it falls asleep, and of means [s]
+
+  /// Mean change of f at the edge of what sleeps that wakes it [m/s2], e g H/(2h). A stress that
+  /// changes by e rho g H on one side of a plane gives the row of particles beside it f of at least
+  /// that: 1/2 to 0.7 of the stress over rho h, whatever the smoothing, at h = dx to 2 dx.
+  double change_at_edge() const { return 0.25 * std::numbers::pi * acceleration; }
 };
 
 struct Sleep {

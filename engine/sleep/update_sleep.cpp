@@ -207,7 +207,7 @@ class SleepUpdate {
         lasting += mean * mean;
       }
       lost = lost || at_once > square(wake_over_calm * sleep_.bounds.acceleration) ||
-             lasting > square(sleep_.bounds.lasting);
+             lasting > square(sleep_.bounds.change_at_edge());
     });
     return lost;
   }

@@ -119,17 +119,20 @@ void hold_off_faces(State& state) {
     }
     holds.count += held ? 1 : 0;
   };
+  const std::span<const std::int32_t> awake = awake_clusters(state);
   const auto run = [&](std::int64_t begin, std::int64_t end) {
     Holds holds;
     FacetSearch search;
-    for (std::int64_t cluster = begin; cluster < end; ++cluster) {
-      if (!state.sleep.is_awake(cluster * size)) continue;
+    const auto look = [&](std::int64_t cluster) {
       const bool has_dummies = lists.wall_begin[cluster] != lists.wall_end[cluster];
-      if (!has_dummies && !state.boundary.images.is_close(cluster * size, size)) continue;
+      if (!has_dummies && !state.boundary.images.is_close(cluster * size, size)) return;
       const ParticleGroup& group = state.particles.group_of(cluster * size);
       const std::int64_t last = std::min((cluster + 1) * size, group.end());
       for (std::int64_t k = cluster * size; k < last; ++k) hold(k, group, holds, search);
-    }
+    };
+    // Soil near a face is in a list or has one.
+    const auto first = std::lower_bound(awake.begin(), awake.end(), begin);
+    for (auto cluster = first; cluster != awake.end() && *cluster < end; ++cluster) look(*cluster);
     return holds;
   };
   const Holds all = parallel_reduce(state.threads, state.neighbours.lists.clusters(),

@@ -94,21 +94,25 @@ double MirrorImages::pack_motion(Records& records, const Mirrors& mirrors, std::
 }
 
 template <class Pack>
-void MirrorImages::each_after_its_source(int threads, const Pack& pack) const {
+void MirrorImages::each_after_its_source(int threads, const Generations& which,
+                                         const Pack& pack) const {
   std::int64_t first = 0;
-  for (const std::int64_t last : generations_) {
-    parallel_chunks(threads, last - first, images_per_chunk,
-                    [&](std::int64_t begin, std::int64_t end) {
-                      for (std::int64_t k = first + begin; k < first + end; ++k)
-                        pack(static_cast<std::size_t>(k));
-                    });
+  for (std::size_t generation = 0; generation < generations_.size(); ++generation) {
+    const std::int64_t last = generations_[generation];
+    const std::int32_t* listed = which.all ? nullptr : which.listed[generation].data();
+    const std::int64_t count = which.all ? last - first : std::ssize(which.listed[generation]);
+    parallel_chunks(threads, count, images_per_chunk, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t k = begin; k < end; ++k)
+        pack(static_cast<std::size_t>(listed != nullptr ? listed[k] : first + k));
+    });
     first = last;
   }
 }
 
-void MirrorImages::pack(int threads, Records& records, const Mirrors& mirrors) const {
+void MirrorImages::pack(int threads, Records& records, const Mirrors& mirrors,
+                        const Generations& which) const {
   const std::int64_t first = records.layout()[Role::image].first;
-  each_after_its_source(threads, [&](std::size_t g) {
+  each_after_its_source(threads, which, [&](std::size_t g) {
     const Image& image = images_[g];
     const double weight = pack_motion(records, mirrors, g);
     double* stress = records.record(first + static_cast<std::int64_t>(g)) + record_stress;
@@ -118,8 +122,8 @@ void MirrorImages::pack(int threads, Records& records, const Mirrors& mirrors) c
 }
 
 void MirrorImages::pack_corrected(int threads, Records& records, const Mirrors& mirrors,
-                                  const ParticleBuffers& soil,
-                                  const ParticleBuffers& ghosts) const {
+                                  const ParticleBuffers& soil, const ParticleBuffers& ghosts,
+                                  const Generations& which) const {
   const std::int64_t first = records.layout()[Role::image].first;
   const int dimension = soil.dimension();
   const std::int64_t first_ghost = records.layout()[Role::ghost].first;
@@ -134,7 +138,7 @@ void MirrorImages::pack_corrected(int threads, Records& records, const Mirrors& 
                                         : inverse_moment(ghost_moment, from - first_ghost),
                    reflection(image.normal));
   };
-  each_after_its_source(threads, [&](std::size_t g) {
+  each_after_its_source(threads, which, [&](std::size_t g) {
     const Image& image = images_[g];
     const double weight = pack_motion(records, mirrors, g);
     const Tensor<double> mirror = reflection(image.normal);
@@ -158,9 +162,9 @@ void MirrorImages::pack_corrected(int threads, Records& records, const Mirrors& 
   });
 }
 
-void MirrorImages::copy_density(int threads, Records& records) const {
+void MirrorImages::copy_density(int threads, Records& records, const Generations& which) const {
   const std::int64_t first = records.layout()[Role::image].first;
-  each_after_its_source(threads, [&](std::size_t g) {
+  each_after_its_source(threads, which, [&](std::size_t g) {
     records.record(first + static_cast<std::int64_t>(g))[record_density] =
         records.record(source_record(records, g))[record_density];
   });
@@ -168,7 +172,7 @@ void MirrorImages::copy_density(int threads, Records& records) const {
 
 void MirrorImages::copy_material(int threads, Records& records) const {
   const std::int64_t first = records.layout()[Role::image].first;
-  each_after_its_source(threads, [&](std::size_t g) {
+  each_after_its_source(threads, {}, [&](std::size_t g) {
     records.material(first + static_cast<std::int64_t>(g)) =
         records.material(source_record(records, g));
   });
@@ -178,7 +182,7 @@ void MirrorImages::pack_second(int threads, Records& records, kernels::TermSet t
                                int dimension) const {
   const std::int64_t first = records.layout()[Role::image].first;
   const bool corrected = dimension == 2 && terms.has(Term::force_correction);
-  each_after_its_source(threads, [&](std::size_t g) {
+  each_after_its_source(threads, {}, [&](std::size_t g) {
     const std::int64_t source = source_record(records, g);
     const std::int64_t target = first + static_cast<std::int64_t>(g);
     if (records.mark(source) == 0 && records.mark(target) == 0) return;

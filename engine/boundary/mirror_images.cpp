@@ -150,6 +150,24 @@ std::int64_t MirrorImages::soil_of(std::int64_t image) const {
   return source;
 }
 
+MirrorImages::Generations MirrorImages::of_soil(int threads,
+                                                std::span<const std::uint8_t> marked_blocks,
+                                                std::int64_t slots) const {
+  Generations chosen{false, {}};
+  std::int64_t first = 0;
+  for (const std::int64_t last : generations_) {
+    const auto list = [&](std::int64_t begin, std::int64_t end, auto& out) {
+      for (std::int64_t k = first + begin; k < first + end; ++k) {
+        const auto block = static_cast<std::size_t>(soil_of(k) / slots);
+        if (marked_blocks[block] != 0) out.push_back(static_cast<std::int32_t>(k));
+      }
+    };
+    parallel_gather(threads, last - first, particle_chunk, chosen.listed.emplace_back(), list);
+    first = last;
+  }
+  return chosen;
+}
+
 bool MirrorImages::is_close(std::int64_t slot, std::int64_t count) const {
   const auto last = std::min(slot + count, static_cast<std::int64_t>(close_.size()));
   return slot < last && std::any_of(close_.begin() + slot, close_.begin() + last,

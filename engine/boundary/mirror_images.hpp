@@ -66,6 +66,15 @@ class MirrorImages {
   /// Whether any of these slots was within `close` of a free-slip face at the last selection.
   bool is_close(std::int64_t slot, std::int64_t count) const;
 
+  /// Images by how many mirrors made them; all of them, or those listed.
+  struct Generations {
+    bool all = true;
+    std::vector<RawVector<std::int32_t>> listed;
+  };
+  /// Those of soil in marked blocks of so many slots each.
+  Generations of_soil(int threads, std::span<const std::uint8_t> marked_blocks,
+                      std::int64_t slots) const;
+
   /// Where the mirrors stand now, and what weighs on the images.
   struct Mirrors {
     double inverse_smoothing_length;
@@ -73,17 +82,19 @@ class MirrorImages {
     const std::vector<Vec3>& wall_velocity;
     const Vec3& gravity;
   };
-  /// Records of the images from those of their sources.
-  void pack(int threads, Records& records, const Mirrors& mirrors) const;
+  /// Records of the images `which` from those of their sources. Pre: it holds the images that its
+  /// images are images of.
+  void pack(int threads, Records& records, const Mirrors& mirrors, const Generations& which) const;
   /// ... that hold T = sigma B: (R sigma R + weight)(R B R). Equation: B3, K3.
   void pack_corrected(int threads, Records& records, const Mirrors& mirrors,
-                      const ParticleBuffers& soil, const ParticleBuffers& ghosts) const;
+                      const ParticleBuffers& soil, const ParticleBuffers& ghosts,
+                      const Generations& which) const;
   /// Second lines of the images from those of their sources.
   void pack_second(int threads, Records& records, kernels::TermSet terms, int dimension) const;
   /// Notes that each image is of the material of its soil.
   void copy_material(int threads, Records& records) const;
   /// The density of the record of each source into that of its image.
-  void copy_density(int threads, Records& records) const;
+  void copy_density(int threads, Records& records, const Generations& which) const;
   std::size_t bytes() const { return images_.size() * (sizeof(Image) + 3 * sizeof(double)); }
 
  private:
@@ -105,7 +116,7 @@ class MirrorImages {
   void add_images(int threads, const Mirrored& mirrored, double close, std::int64_t sources,
                   const SourceOf& source_of);
   template <class Pack>
-  void each_after_its_source(int threads, const Pack& pack) const;
+  void each_after_its_source(int threads, const Generations& which, const Pack& pack) const;
   std::int64_t source_record(const Records& records, std::size_t image) const;
   double pack_motion(Records& records, const Mirrors& mirrors, std::size_t image) const;
 

@@ -3,6 +3,8 @@
 #include "engine/boundary/wall_columns.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/parallel.hpp"
@@ -103,6 +105,21 @@ void WallColumns::choose_active(std::span<const std::int32_t> clusters, int clus
   }
 }
 
+std::vector<std::size_t> WallColumns::active_in(std::span<const std::uint8_t> wanted_clusters,
+                                                int cluster_size) const {
+  std::vector<std::size_t> chosen;
+  const auto is_wanted = [&](std::size_t dummy) {
+    return wanted_clusters[dummy / static_cast<std::size_t>(cluster_size)] != 0;
+  };
+  std::copy_if(active_.begin(), active_.end(), std::back_inserter(chosen), [&](std::size_t c) {
+    const Column& column = columns_[c];
+    return is_wanted(column.inner) ||
+           std::any_of(members_.begin() + static_cast<std::ptrdiff_t>(column.begin),
+                       members_.begin() + static_cast<std::ptrdiff_t>(column.end), is_wanted);
+  });
+  return chosen;
+}
+
 void WallColumns::set_lever(const DummySums& sums, Column& column) const {
   column.per_lever = 0.0;
   if (sums.weight[column.first] == 0.0 || sums.weight[column.inner] == 0.0) return;
@@ -114,12 +131,12 @@ void WallColumns::set_lever(const DummySums& sums, Column& column) const {
 }
 
 template <class Gather>
-void WallColumns::each_column(int threads, const DummySums& sums, const double* faces,
-                              const Gather& gather) {
-  parallel_chunks(threads, std::ssize(active_), columns_per_chunk,
+void WallColumns::each_column(int threads, std::span<const std::size_t> columns,
+                              const DummySums& sums, const double* faces, const Gather& gather) {
+  parallel_chunks(threads, std::ssize(columns), columns_per_chunk,
                   [&](std::int64_t begin, std::int64_t end) {
                     for (std::int64_t n = begin; n < end; ++n) {
-                      Column& column = columns_[active_[static_cast<std::size_t>(n)]];
+                      Column& column = columns_[columns[static_cast<std::size_t>(n)]];
                       set_lever(sums, column);
                       if (column.per_lever != 0.0)
                         gather(column, faces + column.first * wall_record_size + wall_normal_x);
@@ -128,8 +145,9 @@ void WallColumns::each_column(int threads, const DummySums& sums, const double* 
 }
 
 template <int Dim>
-void WallColumns::gather_stress(int threads, const DummySums& sums, const double* faces) {
-  each_column(threads, sums, faces, [&](Column& column, const double* normal) {
+void WallColumns::gather_stress(int threads, std::span<const std::size_t> columns,
+                                const DummySums& sums, const double* faces) {
+  each_column(threads, columns, sums, faces, [&](Column& column, const double* normal) {
     for (std::size_t a = 0; a < Dim; ++a) {
       column.vector[a] = 0.0;
       for (std::size_t b = 0; b < Dim; ++b) {
@@ -141,9 +159,10 @@ void WallColumns::gather_stress(int threads, const DummySums& sums, const double
 }
 
 template <int Dim>
-void WallColumns::gather_gradients(int threads, const DummySums& sums,
-                                   std::span<const double> standing, const double* faces) {
-  each_column(threads, sums, faces, [&](Column& column, const double* normal) {
+void WallColumns::gather_gradients(int threads, std::span<const std::size_t> columns,
+                                   const DummySums& sums, std::span<const double> standing,
+                                   const double* faces) {
+  each_column(threads, columns, sums, faces, [&](Column& column, const double* normal) {
     for (std::size_t a = 0; a < Dim; ++a) {
       column.vector[a] = 0.0;
       for (std::size_t m = column.begin; m < column.end; ++m) {
@@ -156,12 +175,14 @@ void WallColumns::gather_gradients(int threads, const DummySums& sums,
   });
 }
 
-template void WallColumns::gather_stress<2>(int, const DummySums&, const double*);
-template void WallColumns::gather_stress<3>(int, const DummySums&, const double*);
-template void WallColumns::gather_gradients<2>(int, const DummySums&, std::span<const double>,
-                                               const double*);
-template void WallColumns::gather_gradients<3>(int, const DummySums&, std::span<const double>,
-                                               const double*);
+template void WallColumns::gather_stress<2>(int, std::span<const std::size_t>, const DummySums&,
+                                            const double*);
+template void WallColumns::gather_stress<3>(int, std::span<const std::size_t>, const DummySums&,
+                                            const double*);
+template void WallColumns::gather_gradients<2>(int, std::span<const std::size_t>, const DummySums&,
+                                               std::span<const double>, const double*);
+template void WallColumns::gather_gradients<3>(int, std::span<const std::size_t>, const DummySums&,
+                                               std::span<const double>, const double*);
 
 void WallColumns::add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const {
   const std::vector<std::uint8_t> asked = wanted_clusters;

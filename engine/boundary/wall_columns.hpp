@@ -46,14 +46,20 @@ class WallColumns {
   /// Of columns of which no soil can reach the first dummy or the inner point, by the clusters of
   /// dummies that soil reaches, nothing is summed from now on.
   void choose_active(std::span<const std::int32_t> clusters, int cluster_size);
-  /// What the dummies of each column have in common, once they have been summed: of stress, before
-  /// `continue_stress`, or of velocity gradients, before `add_gradient`. `faces` has a
-  /// kernels::WallSlot record for each dummy.
+  /// The others.
+  std::span<const std::size_t> active() const { return active_; }
+  /// Of them those with dummies or inner points in clusters that are wanted.
+  std::vector<std::size_t> active_in(std::span<const std::uint8_t> wanted_clusters,
+                                     int cluster_size) const;
+  /// What the dummies of each of these columns have in common, once they have been summed: of
+  /// stress, before `continue_stress`, or of velocity gradients, before `add_gradient`. `faces` has
+  /// a kernels::WallSlot record for each dummy.
   template <int Dim>
-  void gather_stress(int threads, const DummySums& sums, const double* faces);
+  void gather_stress(int threads, std::span<const std::size_t> columns, const DummySums& sums,
+                     const double* faces);
   template <int Dim>
-  void gather_gradients(int threads, const DummySums& sums, std::span<const double> standing,
-                        const double* faces);
+  void gather_gradients(int threads, std::span<const std::size_t> columns, const DummySums& sums,
+                        std::span<const double> standing, const double* faces);
   /// Completes the averaged stress of a dummy.
   template <int Dim>
   void continue_stress(const DummySums& sums, std::size_t dummy, const double* normal,
@@ -100,7 +106,8 @@ class WallColumns {
   };
   /// Calls gather(column, normal) for each column with enough soil, whose lever is known by then.
   template <class Gather>
-  void each_column(int threads, const DummySums& sums, const double* faces, const Gather& gather);
+  void each_column(int threads, std::span<const std::size_t> columns, const DummySums& sums,
+                   const double* faces, const Gather& gather);
   void set_lever(const DummySums& sums, Column& column) const;
 
   std::vector<Column> columns_;

@@ -47,7 +47,7 @@ void extrapolate_walls(State& state) {
   for (std::size_t a = 0; a < 3; ++a)
     view.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
   state.boundary.walls.take_sums(sums_of(state), state.threads, *state.kernels.table,
-                                 state.scene.dimension, wall_clusters(state), view,
+                                 state.scene.dimension, walls_summed(state), view,
                                  wall_material(state), state.boundary.velocity,
                                  state.sweep.records);
 }

@@ -202,7 +202,7 @@ void Walls::put_sums(Records& records, std::int64_t dummy, WallSums what,
 }
 
 void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, int dimension,
-                      std::span<const std::int32_t> clusters, const WallSweepView<double>& base,
+                      const Chosen& chosen, const WallSweepView<double>& base,
                       const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
                       Records& records) {
   WallSweepView<double> view = base;
@@ -220,6 +220,7 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
              inner_sweep = what == WallSums::gradient ? sweep_of(WallSums::weight) : sweep;
   const std::int64_t size = kernels.cluster_size, first_inner = dummy_slots() / size;
   const auto each_cluster = [&](const auto& visit) {
+    const std::span<const std::int32_t> clusters = chosen.clusters;
     parallel_chunks(threads, std::ssize(clusters), 64, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t n = begin; n < end; ++n) {
         const std::int64_t cluster = clusters[static_cast<std::size_t>(n)];
@@ -236,9 +237,9 @@ void Walls::take_sums(WallSums what, int threads, const KernelTable& kernels, in
   const auto put = [&](auto dim) {
     constexpr int Dim = decltype(dim)::value;
     if (what == WallSums::corrected_stress)
-      columns_.gather_stress<Dim>(threads, sums_, faces_.data());
+      columns_.gather_stress<Dim>(threads, chosen.columns, sums_, faces_.data());
     if (what == WallSums::gradient)
-      columns_.gather_gradients<Dim>(threads, sums_, standing_, faces_.data());
+      columns_.gather_gradients<Dim>(threads, chosen.columns, sums_, standing_, faces_.data());
     each_cluster([&](std::int64_t cluster, std::int64_t first, std::int64_t last) {
       // No force is summed over inner points.
       if (what == WallSums::corrected_stress && cluster >= first_inner) return;

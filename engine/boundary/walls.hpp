@@ -74,12 +74,18 @@ class Walls {
   void add_partners(std::vector<std::uint8_t>& wanted_clusters, int cluster_size) const {
     columns_.add_partners(wanted_clusters, cluster_size);
   }
+  const WallColumns& columns() const { return columns_; }
+  /// Clusters of dummies and inner points, and the columns of which some are in them.
+  struct Chosen {
+    std::span<const std::int32_t> clusters;
+    std::span<const std::size_t> columns;
+  };
   /// Records of the dummies that have soil in reach: position, velocity, and what the wall sweep
   /// sums of the soil, cluster by cluster. No list names the others. Equation: B1, B2, B5, B6.
   void take_sums(kernels::WallSums what, int threads, const kernels::KernelTable& kernels,
-                 int dimension, std::span<const std::int32_t> clusters,
-                 const kernels::WallSweepView<double>& base, const WallMaterial& material,
-                 const std::vector<Vec3>& wall_velocity, Records& records);
+                 int dimension, const Chosen& chosen, const kernels::WallSweepView<double>& base,
+                 const WallMaterial& material, const std::vector<Vec3>& wall_velocity,
+                 Records& records);
   /// Another density into the records of all dummies.
   void put_density(int threads, Records& records, double density) const;
   std::size_t bytes() const;

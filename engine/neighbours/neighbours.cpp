@@ -201,13 +201,11 @@ StressForm form_of_forces(const State& state) {
 
 /// Records of soil asleep that nobody awake reads stay as the last sweep of forces had them.
 void pack_as(State& state, StressForm form, bool all) {
-  Sleep& sleep = state.sleep;
-  const bool for_forces = form == form_of_forces(state);
-  sleep.packed_all = all || !sleep.any() || (for_forces && sleep.records_stale);
-  const double square = state.sweep.records.pack(state.threads, Role::owned, state.particles,
-                                                 state.scaling, state.kernels.slots, form,
-                                                 sleep.packed_all ? SlotRanges() : sleep.packed);
-  if (sleep.packed_all) sleep.records_stale = !for_forces;
+  const Sleep& sleep = state.sleep;
+  choose_reading(state, form == form_of_forces(state), all);
+  const double square =
+      state.sweep.records.pack(state.threads, Role::owned, state.particles, state.scaling,
+                               state.kernels.slots, form, soil_packed(state));
   state.neighbours.moved = std::max(std::sqrt(square), sleep.any() ? sleep.moved : 0.0);
 }
 
@@ -295,9 +293,9 @@ void pack_images(State& state) {
                                       state.boundary.velocity, state.scene.gravity};
   if (records.stress_form() == StressForm::corrected) {
     state.boundary.images.pack_corrected(state.threads, records, mirrors, state.particles,
-                                         state.ghosts);
+                                         state.ghosts, images_packed(state));
   } else {
-    state.boundary.images.pack(state.threads, records, mirrors);
+    state.boundary.images.pack(state.threads, records, mirrors, images_packed(state));
   }
 }
 

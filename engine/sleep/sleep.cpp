@@ -17,7 +17,9 @@ namespace {
 void all_awake(Sleep& sleep) {
   sleep.asleep = 0;
   sleep.rest.clear();
-  sleep.awake = sleep.swept = sleep.packed = SlotRanges();
+  sleep.fell = false;
+  sleep.reading = Reading::all;
+  sleep.awake = sleep.swept = SlotRanges();
 }
 
 Rest& rest_of(Sleep& sleep, std::int32_t block) {
@@ -51,38 +53,58 @@ void mark_rim(int threads, Sleep& sleep) {
   });
 }
 
-/// Dummies that the swept soil reads, and what they read.
-void mark_walls(State& state) {
-  Sleep& sleep = state.sleep;
+/// Clusters of dummies that sum soil for which is(block) holds, with what their columns ask of.
+template <class Is>
+std::vector<std::uint8_t> walls_near(const State& state, const Is& is) {
   const auto active = state.neighbours.wall_lists.active_clusters();
   const int size = state.kernels.table->cluster_size;
   std::vector<std::uint8_t> wanted(static_cast<std::size_t>(state.boundary.walls.slots() / size));
-  const auto cluster = [&](std::int64_t k) { return active[static_cast<std::size_t>(k)]; };
-  each_block(state.threads, sleep.graph.walls.size(), [&](std::int32_t k) {
-    const auto near = sleep.graph.walls[k];
-    if (std::any_of(near.begin(), near.end(),
-                    [&](std::int32_t block) { return rest_of(sleep, block) <= Rest::edge; }))
-      wanted[static_cast<std::size_t>(cluster(k))] = 1;
+  const BlockLists& lists = state.sleep.graph.walls;
+  each_block(state.threads, lists.size(), [&](std::int32_t k) {
+    const auto near = lists[k];
+    if (std::any_of(near.begin(), near.end(), is))
+      wanted[static_cast<std::size_t>(active[static_cast<std::size_t>(k)])] = 1;
   });
   state.boundary.walls.add_partners(wanted, size);
-  parallel_gather(state.threads, sleep.graph.walls.size(), blocks_at_once, sleep.wall_clusters,
+  return wanted;
+}
+
+/// What is read by dummies in wanted clusters and, besides these, by soil: that is in `read`, by
+/// block, which then holds both. Several threads may mark the same.
+SleepReads reads_of(const State& state, const std::vector<std::uint8_t>& wanted,
+                    std::vector<std::uint8_t>& read) {
+  SleepReads reads;
+  const auto active = state.neighbours.wall_lists.active_clusters();
+  const BlockLists& lists = state.sleep.graph.walls;
+  parallel_gather(state.threads, lists.size(), blocks_at_once, reads.wall_clusters,
                   [&](std::int64_t begin, std::int64_t end, auto& out) {
                     for (std::int64_t k = begin; k < end; ++k) {
-                      if (wanted[static_cast<std::size_t>(cluster(k))] == 0) continue;
-                      out.push_back(cluster(k));
-                      for (const std::int32_t block : sleep.graph.walls[k]) {
-                        const std::atomic_ref rest(rest_of(sleep, block));
-                        if (rest.load(std::memory_order_relaxed) == Rest::deep)
-                          rest.store(Rest::read, std::memory_order_relaxed);
-                      }
+                      const std::int32_t cluster = active[static_cast<std::size_t>(k)];
+                      if (wanted[static_cast<std::size_t>(cluster)] == 0) continue;
+                      out.push_back(cluster);
+                      for (const std::int32_t block : lists[k])
+                        std::atomic_ref(read[static_cast<std::size_t>(block)])
+                            .store(1, std::memory_order_relaxed);
                     }
                   });
+  reads.wall_columns =
+      state.boundary.walls.columns().active_in(wanted, state.kernels.table->cluster_size);
+  reads.images = state.boundary.images.of_soil(state.threads, read, block_size);
+  reads.soil = SlotRanges(state.threads, state.particles.groups(), read);
+  return reads;
 }
 
 /// Kick-drift-kick looks at the edge when the next step begins.
 bool sweeps_edge(const State& state) {
   const bool verlet = state.scene.numerics.integrator == Integrator::verlet;
   return (state.report.step + (verlet ? 0 : 1)) % steps_per_edge_look == 0;
+}
+
+/// For every sweep that reads it: that of gradients at the edge needs it in another form, and where
+/// inertia is not mass its records hold the one after a sweep of forces and the other before it.
+bool repacks_what_sleeps(const State& state) {
+  const bool verlet = state.scene.numerics.integrator == Integrator::verlet;
+  return (verlet && state.kernels.corrects_forces()) || state.scaling.scales_mass;
 }
 
 }  // namespace
@@ -99,16 +121,42 @@ void classify_sleep(State& state) {
   mark_neighbours(state.threads, sleep, Rest::awake, Rest::edge);
   mark_neighbours(state.threads, sleep, Rest::edge, Rest::read);
   mark_rim(state.threads, sleep);
-  mark_walls(state);
-  const auto slots_up_to = [&](Rest most) {
+  const auto marks = [&](const auto& is) {
     std::vector<std::uint8_t> chosen(sleep.rest.size());
-    std::transform(sleep.rest.begin(), sleep.rest.end(), chosen.begin(),
-                   [most](Rest rest) { return rest <= most ? 1 : 0; });
-    return SlotRanges(state.threads, state.particles.groups(), chosen);
+    each_block(state.threads, std::ssize(chosen), [&](std::int32_t block) {
+      chosen[static_cast<std::size_t>(block)] = is(block) ? 1 : 0;
+    });
+    return chosen;
   };
-  sleep.awake = slots_up_to(Rest::awake);
-  sleep.swept = slots_up_to(Rest::edge);
-  sleep.packed = slots_up_to(Rest::read);
+  const auto up_to = [&](Rest most) {
+    return [&sleep, most](std::int32_t block) { return rest_of(sleep, block) <= most; };
+  };
+  const auto fell = [&](std::int32_t block) {
+    return sleep.fell && sleep.fallen[static_cast<std::size_t>(block)] != 0;
+  };
+  const auto edge_or_fell = [&](std::int32_t block) {
+    return rest_of(sleep, block) <= Rest::edge || fell(block);
+  };
+  const auto read_or_fell = [&](std::int32_t block) {
+    return rest_of(sleep, block) <= Rest::read || fell(block);
+  };
+  std::vector<std::uint8_t> read_awake = marks(up_to(Rest::edge));
+  sleep.awake_reads = reads_of(state, walls_near(state, up_to(Rest::awake)), read_awake);
+  const auto is_read_awake = [&](std::int32_t block) {
+    return read_awake[static_cast<std::size_t>(block)] != 0;
+  };
+  std::vector<std::uint8_t> read_edge = marks(read_or_fell);
+  sleep.edge_reads = reads_of(state, walls_near(state, edge_or_fell), read_edge);
+  sleep.awake_reads.packed = sleep.awake_reads.soil;
+  if (repacks_what_sleeps(state)) {
+    sleep.edge_reads.packed = sleep.edge_reads.soil;
+  } else {
+    sleep.edge_reads.packed =
+        SlotRanges(state.threads, state.particles.groups(),
+                   marks([&](std::int32_t block) { return is_read_awake(block) || fell(block); }));
+  }
+  sleep.awake = SlotRanges(state.threads, state.particles.groups(), marks(up_to(Rest::awake)));
+  sleep.swept = SlotRanges(state.threads, state.particles.groups(), marks(up_to(Rest::edge)));
   const std::int32_t clusters = static_cast<std::int32_t>(block_size) / state.kernels.cluster_size;
   const auto active = state.neighbours.lists.active_clusters();
   const auto clusters_up_to = [&](Rest most, RawVector<std::int32_t>& chosen) {
@@ -142,10 +190,47 @@ std::span<const std::int32_t> swept_clusters(const State& state) {
 const SlotRanges& swept_slots(const State& state) {
   return sweeps_edge(state) ? state.sleep.swept : state.sleep.awake;
 }
-std::span<const std::int32_t> wall_clusters(const State& state) {
+
+/// Kick-drift-kick sums no gradient at the edge.
+void choose_reading(State& state, bool for_forces, bool all) {
+  Sleep& sleep = state.sleep;
+  const bool both = for_forces || state.scene.numerics.integrator == Integrator::verlet;
+  if (all || !sleep.any() || (for_forces && sleep.records_stale)) {
+    sleep.reading = Reading::all;
+    sleep.records_stale = !for_forces;
+  } else {
+    const bool edge = both && (sweeps_edge(state) || sleep.fell);
+    sleep.reading = edge ? Reading::edge : Reading::awake;
+  }
+  if (for_forces) sleep.fell = false;
+}
+
+namespace {
+
+const SleepReads* reads(const State& state) {
   const Sleep& sleep = state.sleep;
-  return sleep.any() && !sleep.packed_all ? std::span<const std::int32_t>(sleep.wall_clusters)
-                                          : state.neighbours.wall_lists.active_clusters();
+  if (!sleep.any() || sleep.reading == Reading::all) return nullptr;
+  return sleep.reading == Reading::edge ? &sleep.edge_reads : &sleep.awake_reads;
+}
+
+}  // namespace
+
+SlotRanges soil_packed(const State& state) {
+  const SleepReads* read = reads(state);
+  return read != nullptr ? read->packed : SlotRanges();
+}
+SlotRanges soil_read(const State& state) {
+  const SleepReads* read = reads(state);
+  return read != nullptr ? read->soil : SlotRanges();
+}
+Walls::Chosen walls_summed(const State& state) {
+  if (const SleepReads* read = reads(state)) return {read->wall_clusters, read->wall_columns};
+  return {state.neighbours.wall_lists.active_clusters(), state.boundary.walls.columns().active()};
+}
+const MirrorImages::Generations& images_packed(const State& state) {
+  const SleepReads* read = reads(state);
+  static const MirrorImages::Generations all;
+  return read != nullptr ? read->images : all;
 }
 
 /// What each bound leaves open, over the overburden: the change of the stress at the edge of soil
@@ -192,18 +277,11 @@ void regroup_sleep(State& state) {
   const std::int64_t blocks = state.particles.slots() / block_size;
   all_awake(sleep);
   sleep.graph_valid = false;
-  const auto add = [](std::int64_t& total, std::int64_t part) { total += part; };
-  const std::int64_t marked = parallel_reduce(
-      state.threads, state.particles.slots(), particle_chunk, std::int64_t{0},
-      [asleep](std::int64_t begin, std::int64_t end) {
-        return std::count_if(asleep + begin, asleep + end, [](double a) { return a != 0.0; });
-      },
-      add);
-  if (marked == 0) return;
+  if (std::none_of(asleep, asleep + state.particles.slots(), [](double a) { return a != 0.0; }))
+    return;
   ensure_block_graph(state);
   sleep.rest.assign(static_cast<std::size_t>(blocks), Rest::deep);
-  /// Returns how many particles of a block sleep on.
-  const auto regroup = [&](std::int64_t block) {
+  for (std::int64_t block = 0; block < blocks; ++block) {
     const std::int64_t first = block * block_size;
     std::int64_t particles = 0, sleepers = 0;
     for (std::int64_t k = first; k < first + block_size; ++k) {
@@ -212,19 +290,13 @@ void regroup_sleep(State& state) {
       sleepers += asleep[k] != 0.0 ? 1 : 0;
     }
     const auto b = static_cast<std::size_t>(block);
-    if (particles == 0 || (sleepers == particles && sleep.graph.driven[b] == 0)) return sleepers;
-    sleep.rest[b] = Rest::awake;
-    std::fill_n(asleep + first, block_size, 0.0);
-    return std::int64_t{0};
-  };
-  sleep.asleep = parallel_reduce(
-      state.threads, blocks, blocks_at_once, std::int64_t{0},
-      [&](std::int64_t begin, std::int64_t end) {
-        std::int64_t sleepers = 0;
-        for (std::int64_t block = begin; block < end; ++block) sleepers += regroup(block);
-        return sleepers;
-      },
-      add);
+    if (particles > 0 && (sleepers < particles || sleep.graph.driven[b] != 0)) {
+      sleep.rest[b] = Rest::awake;
+      std::fill_n(asleep + first, block_size, 0.0);
+      sleepers = 0;
+    }
+    sleep.asleep += sleepers;
+  }
   classify_sleep(state);
 }
 

@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/boundary/mirror_images.hpp"
+#include "engine/boundary/walls.hpp"
 #include "engine/particles/slot_ranges.hpp"
 #include "engine/sleep/block_graph.hpp"
 #include "engine/step/phase.hpp"
@@ -35,6 +37,18 @@ struct SleepBounds {
   double change_at_edge() const { return 0.25 * std::numbers::pi * acceleration; }
 };
 
+/// What sweeps read while some soil sleeps.
+struct SleepReads {
+  SlotRanges soil;
+  SlotRanges packed;  ///< ... whose records are not those of the last sweep of forces any more
+  RawVector<std::int32_t> wall_clusters;  ///< of dummies
+  std::vector<std::size_t> wall_columns;
+  MirrorImages::Generations images;
+};
+
+/// Of which soil records stand as the next sweep reads them.
+enum class Reading : std::uint8_t { all, awake, edge };
+
 struct Sleep {
   SleepBounds bounds;
   std::int64_t asleep = 0;    ///< particles
@@ -42,14 +56,17 @@ struct Sleep {
   double kinetic = 0.0;       ///< energy taken from soil that fell asleep in this stage [J]
   bool wake_due = false;      ///< everything wakes before the next step
   bool graph_valid = false;   ///< `graph` is of the lists and walls that stand
-  bool records_stale = true;  ///< some records are not those of the last sweep of forces
-  bool packed_all = true;     ///< records were packed of all soil, not of `packed` alone
+  bool records_stale = true;  ///< records of any soil may not be those of the last sweep of forces
+  bool fell = false;          ///< ... of soil that has just fallen asleep, in `edge_reads`
+  Reading reading = Reading::all;
   BlockGraph graph;
-  std::vector<std::uint8_t> rim;    ///< by block: 1 where it is awake and a neighbour sleeps
-  std::vector<Rest> rest;           ///< by block; empty: everything is awake
-  SlotRanges awake, swept, packed;  ///< swept: with the edge; packed: with what is read too
+  std::vector<std::uint8_t> rim;     ///< by block: 1 where it is awake and a neighbour sleeps
+  std::vector<Rest> rest;            ///< by block; empty: everything is awake
+  std::vector<std::uint8_t> fallen;  ///< by block: 1 where it fell asleep at the last look
+  SlotRanges awake, swept;           ///< swept: with the edge
   RawVector<std::int32_t> awake_clusters, swept_clusters;
-  RawVector<std::int32_t> wall_clusters;  ///< of dummies that the swept soil reads
+  /// Of soil awake; of that and the edge, with what has just fallen asleep.
+  SleepReads awake_reads, edge_reads;
 
   bool wanted() const { return bounds.lasting > 0.0; }
   bool any() const { return asleep > 0; }
@@ -62,11 +79,17 @@ struct Sleep {
 /// step, so between two looks by no more than the reach 2h of a particle, and blocks are wider.
 inline constexpr std::uint64_t steps_per_edge_look = 4;
 
-/// Clusters of soil that are awake, ... with the edge where its force is looked at next, and
-/// clusters of dummies that these read.
+/// Clusters of soil that are awake, ... with the edge where its force is looked at next.
 std::span<const std::int32_t> awake_clusters(const State& state);
 std::span<const std::int32_t> swept_clusters(const State& state);
-std::span<const std::int32_t> wall_clusters(const State& state);
+/// Decides what is packed for a sweep, of forces or not; `all` packs everything.
+void choose_reading(State& state, bool for_forces, bool all);
+/// By that: soil whose records are packed, soil whose records may be read, dummies that are summed
+/// and images.
+SlotRanges soil_packed(const State& state);
+SlotRanges soil_read(const State& state);
+Walls::Chosen walls_summed(const State& state);
+const MirrorImages::Generations& images_packed(const State& state);
 /// The slots of swept_clusters.
 const SlotRanges& swept_slots(const State& state);
 

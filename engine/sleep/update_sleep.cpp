@@ -76,6 +76,7 @@ class SleepUpdate {
       });
     });
     if (sleep_.rest.empty()) sleep_.rest.assign(falls.size(), Rest::awake);
+    sleep_.fallen = falls;
     return apply(falls, [&](std::int32_t block) { put_to_sleep(block); });
   }
 
@@ -239,7 +240,7 @@ class SleepUpdate {
       ++sleep_.asleep;
     });
     sleep_.rest[static_cast<std::size_t>(block)] = Rest::deep;
-    sleep_.records_stale = true;
+    sleep_.fell = true;
     sleep_.moved = std::max(sleep_.moved, state_.neighbours.moved);
   }
   void fill(Field field, std::int64_t k, double value) {

@@ -78,19 +78,13 @@ void run(const State& state, const SweepKernel& sweep, std::span<const std::int3
   run(state, sweep.mixed, std::ssize(clusters), narrow);
 }
 
-/// By the sweeps of a step.
-SlotRanges soil_read(const State& state) {
-  return state.sleep.any() ? state.sleep.packed : SlotRanges();
-}
-
 /// The sweep of forces divides by inertia, and viscosity is that of the inertia of both of a pair;
 /// what came before it took weights and masses from the density.
 void put_inertia(State& state) {
   Records& records = state.sweep.records;
-  records.put_inertia(state.threads, Role::owned, state.particles,
-                      state.sleep.packed_all ? SlotRanges() : state.sleep.packed);
+  records.put_inertia(state.threads, Role::owned, state.particles, soil_packed(state));
   records.put_inertia(state.threads, Role::ghost, state.ghosts);
-  state.boundary.images.copy_density(state.threads, records);
+  state.boundary.images.copy_density(state.threads, records, images_packed(state));
   const Material& of_walls = state.scene.materials[state.boundary.material];
   state.boundary.walls.put_density(state.threads, records,
                                    of_walls.mass_scaling * of_walls.density);

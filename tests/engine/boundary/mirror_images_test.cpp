@@ -217,7 +217,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     records.resize(1, 0, images.count());
     const MirrorImages::Mirrors mirrors{scaling.inverse_smoothing_length, offset, velocity,
                                         corner.gravity};
-    images.pack(1, records, mirrors);
+    images.pack(1, records, mirrors, {});
     records.take_second();
     for (std::int64_t k = 0; k < count; k += 2) {
       std::copy_n(tension[static_cast<std::size_t>(k)].data(), 6,
@@ -234,7 +234,7 @@ TEST(MirrorImagesTest, A3DCornerIsFilledAsByReflectingEachParticle) {
     std::sort(wanted.begin(), wanted.end(), before);
     for (std::size_t g = 0; g < wanted.size(); ++g) expect_same(made[g], wanted[g]);
     records.pack(1, Role::owned, soil, scaling, kernels::sound_speed_slot, StressForm::corrected);
-    images.pack_corrected(1, records, mirrors, soil, {});
+    images.pack_corrected(1, records, mirrors, soil, {}, {});
     std::vector<std::pair<Vec3, Tensor<double>>> taken;
     for (std::int64_t g = 0; g < images.count(); ++g) {
       const std::int64_t record = records.layout()[Role::image].first + g;

@@ -20,9 +20,14 @@ void step(State& state, const StepPhases& phases) {
 /// Records are packed of all soil in the next step, and all dummies sum.
 State with_nothing_left_out(const State& state) {
   State all = state;
-  all.sleep.packed = SlotRanges();
   const auto clusters = all.neighbours.wall_lists.active_clusters();
-  all.sleep.wall_clusters.assign(clusters.begin(), clusters.end());
+  const auto columns = all.boundary.walls.columns().active();
+  for (SleepReads* reads : {&all.sleep.awake_reads, &all.sleep.edge_reads}) {
+    reads->soil = reads->packed = SlotRanges();
+    reads->wall_clusters.assign(clusters.begin(), clusters.end());
+    reads->wall_columns.assign(columns.begin(), columns.end());
+    reads->images = {};
+  }
   return all;
 }
 
@@ -68,7 +73,8 @@ TEST(SleepWallsTest, DummiesThatAreNotSummedAreReadByNobody) {
     for (int k = 0; k < 4000 && looked_at < 200; ++k) {
       if (state.sleep.any() && k % 4 == 0) {
         State all = with_nothing_left_out(state);
-        left_out += all.sleep.wall_clusters.size() - state.sleep.wall_clusters.size();
+        left_out += all.sleep.awake_reads.wall_clusters.size() -
+                    state.sleep.awake_reads.wall_clusters.size();
         step(all, phases);
         step(state, phases);
         ASSERT_TRUE(same_motion(state, all))

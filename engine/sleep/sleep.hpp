@@ -31,10 +31,11 @@ struct SleepBounds {
   double acceleration = 0.0;  ///< |f + g| below which it is calm [m/s2]
   double window = 0.0;        ///< time of calm before it falls asleep, and of means [s]
 
-  /// Mean change of f at the edge of what sleeps that wakes it [m/s2], e g H/(2h). A stress that
-  /// changes by e rho g H on one side of a plane gives the row of particles beside it f of at least
-  /// that: 1/2 to 0.7 of the stress over rho h, whatever the smoothing, at h = dx to 2 dx.
-  double change_at_edge() const { return 0.25 * std::numbers::pi * acceleration; }
+  /// Mean change of f at the edge of what sleeps that wakes it [m/s2], e g H/(4h). A stress that
+  /// changes by e rho g H/2 on one side of a plane gives the row of particles beside it f of at
+  /// least that: 1/2 to 0.7 of the stress over rho h, whatever the smoothing, at h = dx to 2 dx.
+  /// What sleeps may be pushed the same way from two sides.
+  double change_at_edge() const { return 0.125 * std::numbers::pi * acceleration; }
 };
 
 /// What sweeps read while some soil sleeps.

@@ -2,6 +2,7 @@
 /// What is left out of the walls beside sleeping soil is read by nobody.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "engine/setup.hpp"
@@ -86,6 +87,46 @@ TEST(SleepWallsTest, DummiesThatAreNotSummedAreReadByNobody) {
     }
     EXPECT_EQ(looked_at, 200);
     EXPECT_GT(left_out, 0U);
+  }
+}
+
+/// What `change_at_edge` rests on: a stress that changes by S on one side of a plane gives the row
+/// beside it f of S/(2 rho h) or more.
+TEST(SleepWallsTest, AStressThatChangesOnOneSideGivesTheRowBesideItHalfOfItOverH) {
+  for (const SmoothingFunction smoothing :
+       {SmoothingFunction::cubic_spline, SmoothingFunction::wendland_c2}) {
+    for (const double ratio : {1.0, 1.2, 2.0}) {
+      Scene scene = slumping_heap(Integrator::kick_drift_kick);
+      scene.bodies = {{.shape = Box{{0, 0, 0}, {8, 8, 0}}}};
+      scene.walls.clear();
+      scene.initial_stress = InitialStress::zero;
+      scene.numerics.smoothing = smoothing;
+      scene.numerics.smoothing_ratio = ratio;
+      State state = make_state(scene, {1, {}});
+      const StepPhases phases = phases_of(Integrator::kick_drift_kick, true);
+      for (const Phase& phase : phases.stage_start) phase.run(state);
+      const double change = 1e3;
+      const auto is_middle = [&](std::int64_t k) {
+        return std::abs(state.particles.component(Field::position, 0)[k] - 4.0) < 1.0;
+      };
+      const double* y = state.particles.component(Field::position, 1);
+      double* stress = state.particles.component(Field::stress, 1);
+      for (std::int64_t k = 0; k < state.particles.count(); ++k) {
+        if (y[k] > 4.0) stress[k] -= change;
+      }
+      for (const Phase& phase : phases.renewal) phase.run(state);
+      int rows = 0;
+      y = state.particles.component(Field::position, 1);
+      for (std::int64_t k = 0; k < state.particles.count(); ++k) {
+        if (!is_middle(k) || y[k] > 4.0 || y[k] < 4.0 - scene.spacing) continue;
+        ++rows;
+        const double f = -state.particles.component(Field::acceleration, 1)[k];
+        const double share = f * 1600.0 * state.smoothing_length / change;
+        EXPECT_GE(share, 0.5 - 1e-9) << ratio;
+        EXPECT_LE(share, 0.7) << ratio;
+      }
+      EXPECT_EQ(rows, 10);
+    }
   }
 }
 

@@ -12,6 +12,7 @@ set(scarp_public_headers
   engine/errors.hpp
   engine/features.hpp
   engine/fos/cut.hpp
+  engine/fos/cut_states.hpp
   engine/fos/limit_search.hpp
   engine/fos/strength_reduction.hpp
   engine/integrate/step_report.hpp

@@ -71,6 +71,7 @@ class MirrorImages {
     bool all = true;
     std::vector<RawVector<std::int32_t>> listed;
   };
+  const Generations& all() const { return all_images_; }
   /// Those of soil in marked blocks of so many slots each.
   Generations of_soil(int threads, std::span<const std::uint8_t> marked_blocks,
                       std::int64_t slots) const;
@@ -121,6 +122,7 @@ class MirrorImages {
   double pack_motion(Records& records, const Mirrors& mirrors, std::size_t image) const;
 
   RawVector<Image> images_;
+  Generations all_images_;
   std::vector<std::int64_t> generations_;  ///< where images of soil end, images of those, and so on
   RawVector<double> position_[3];
   std::vector<std::uint8_t> close_;  ///< by soil slot; empty: none

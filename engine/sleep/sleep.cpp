@@ -229,8 +229,7 @@ Walls::Chosen walls_summed(const State& state) {
 }
 const MirrorImages::Generations& images_packed(const State& state) {
   const SleepReads* read = reads(state);
-  static const MirrorImages::Generations all;
-  return read != nullptr ? read->images : all;
+  return read != nullptr ? read->images : state.boundary.images.all();
 }
 
 /// What each bound leaves open, over the overburden: the change of the stress at the edge of soil

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "engine/errors.hpp"
 #include "engine/run/run.hpp"
@@ -20,8 +21,14 @@ struct Part {
   double simulated = 0.0, steps = 0.0, wall_s = 0.0;
 };
 
+struct StageTime {
+  double time = 0.0;  ///< [s]
+  bool rested = false;
+};
+
 struct Rehearsal {
   Part start, whole;
+  std::vector<StageTime> stages;
   bool finished = false;
 };
 
@@ -39,6 +46,9 @@ Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_t
     const bool at_start =
         rehearsal.whole.steps <= fewest_steps || rehearsal.whole.simulated <= start_time;
     if (at_start) rehearsal.start = rehearsal.whole;
+    if (simulation.stage_ended())
+      rehearsal.stages.push_back(
+          {simulation.last_step().stage_time, simulation.stage_reached_rest()});
   }
   rehearsal.finished = simulation.finished();
   return rehearsal;
@@ -53,6 +63,24 @@ Scene coarser(Scene scene, double wall_s, double particles, double wanted) {
                        ? std::pow(std::max(1.0, particles / few), 1.0 / scene.dimension)
                        : std::pow(std::max(1.0, wall_s / wanted), 1.0 / (scene.dimension + 1.0));
   return scene;
+}
+
+/// On a lattice that does not fit its walls soil may never come to rest, on a slightly coarser one
+/// again: of stages that rested in `other` alone, its time is taken.
+double duration_by_both(const Rehearsal& rehearsal, const Rehearsal& other) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < rehearsal.stages.size(); ++k) {
+    const bool others = other.finished && other.stages[k].rested && !rehearsal.stages[k].rested;
+    sum += (others ? other : rehearsal).stages[k].time;
+  }
+  return sum;
+}
+
+bool all_rested(const Scene& scene, const Rehearsal& rehearsal) {
+  for (std::size_t k = 0; k < rehearsal.stages.size(); ++k) {
+    if (scene.stages[k].until == StageEnd::rest && !rehearsal.stages[k].rested) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -79,6 +107,12 @@ Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& tr
     const double dearer_steps = whole.wall_s / whole.steps * start.steps / start.wall_s;
     Forecast better;
     better.simulated = rehearsal.finished ? whole.simulated : plain.simulated;
+    if (rehearsal.finished && !all_rested(coarse, rehearsal) && coarse.spacing != scene.spacing) {
+      Scene coarser_still = coarse;
+      coarser_still.spacing *= 1.1;
+      better.simulated =
+          duration_by_both(rehearsal, rehearse(coarser_still, options, trial.simulated, patience));
+    }
     better.steps = std::ceil(better.simulated / trial.time_step * shorter_steps);
     better.wall_s = better.steps * trial.seconds_per_step * dearer_steps;
     if (rehearsal.finished && coarse.spacing == scene.spacing) {  // that was the run

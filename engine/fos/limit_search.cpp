@@ -100,18 +100,20 @@ std::optional<double> next_factor(const SearchOptions& options,
   return aim(options.tolerance, bracket, *expected);
 }
 
-std::optional<double> likely_next(const SearchOptions& options,
-                                  const std::vector<Outcome>& outcomes, double factor) {
-  Outcome likely{factor};
-  if (!outcomes.empty()) {
-    const std::optional<double> limit = expected_limit(outcomes);
-    if (!limit) return {};
-    likely.fails = factor > *limit;
-    if (likely.fails) likely.excess = factor / *limit - 1.0;
+std::vector<double> likely_next(const SearchOptions& options, const std::vector<Outcome>& outcomes,
+                                double factor) {
+  const std::optional<double> limit = expected_limit(outcomes);
+  if (!limit && !outcomes.empty()) return {};
+  const bool likely_fails = limit && factor > *limit;
+  std::vector<double> factors;
+  for (const bool fails : {likely_fails, !likely_fails}) {
+    Outcome outcome{factor, fails};
+    if (fails && limit && factor > *limit) outcome.excess = factor / *limit - 1.0;
+    std::vector<Outcome> then = outcomes;
+    then.push_back(outcome);
+    if (const std::optional<double> next = next_factor(options, then)) factors.push_back(*next);
   }
-  std::vector<Outcome> then = outcomes;
-  then.push_back(likely);
-  return next_factor(options, then);
+  return factors;
 }
 
 int trials_left(const SearchOptions& options, const Bracket& bracket) {

@@ -51,11 +51,11 @@ std::optional<double> expected_limit(const std::vector<Outcome>& outcomes);
 std::optional<double> next_factor(const SearchOptions& options,
                                   const std::vector<Outcome>& outcomes);
 
-/// The factor to try after `factor` if that one does what is expected of it: the first one stands,
-/// others fail above the expected limit and stand below it. Empty: nothing is expected, or the
-/// search would be at its end.
-std::optional<double> likely_next(const SearchOptions& options,
-                                  const std::vector<Outcome>& outcomes, double factor);
+/// The factors that may be tried after `factor`, the likely one first: if it does what is expected
+/// of it (the first one stands, others fail above the expected limit and stand below it), and if it
+/// does the other. Empty: nothing is expected.
+std::vector<double> likely_next(const SearchOptions& options, const std::vector<Outcome>& outcomes,
+                                double factor);
 
 /// Trials that a search still takes at most once it knows `bracket`, if the factor lies within one
 /// step outward and nothing is expected of it.

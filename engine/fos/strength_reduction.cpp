@@ -154,7 +154,8 @@ std::optional<Simulation> StrengthReduction::before_last_cut(double reduction, d
   return simulation;
 }
 
-std::optional<TrialResponse> StrengthReduction::run(BegunTrial begun, const Proceed& proceed) const {
+std::optional<TrialResponse> StrengthReduction::run(BegunTrial begun,
+                                                    const Proceed& proceed) const {
   const auto start = Clock::now();
   Simulation& simulation = begun.from.state;
   TrialResponse response;

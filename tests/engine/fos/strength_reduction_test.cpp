@@ -275,11 +275,11 @@ Heard search_with_threads(int threads, std::uint64_t most_steps) {
   return heard;
 }
 
-/// The slope is a single chunk of particles, so two trials share two threads. What runs ahead is
-/// not heard of until it is waited for, and then from its own thread.
+/// The slope is a single chunk of particles, so three trials share three threads. What runs ahead
+/// is not heard of until it is waited for, and then from its own thread.
 TEST(StrengthReductionTest, TrialsSideBySideAreThoseOneByOne) {
   constexpr std::uint64_t all = 1000000;
-  const Heard alone = search_with_threads(1, all), beside = search_with_threads(2, all);
+  const Heard alone = search_with_threads(1, all), beside = search_with_threads(3, all);
   ASSERT_EQ(alone.found.trials.size(), beside.found.trials.size());
   for (std::size_t k = 0; k < alone.found.trials.size(); ++k) {
     const Trial &one = alone.found.trials[k], &two = beside.found.trials[k];
@@ -296,7 +296,7 @@ TEST(StrengthReductionTest, TrialsSideBySideAreThoseOneByOne) {
 
 TEST(StrengthReductionTest, ATrialThatRunsAheadStopsWithTheSearch) {
   const std::uint64_t elastic = search_with_threads(1, 1000000).found.elastic.steps;
-  const Heard stopped = search_with_threads(2, elastic + 10);
+  const Heard stopped = search_with_threads(3, elastic + 10);
   EXPECT_EQ(stopped.found.trials.size(), 0U);
   EXPECT_EQ(stopped.steps, elastic + 10);
 }

@@ -32,7 +32,10 @@ Vec3 reflected(const Vec3& point, double distance, const Vec3& normal) {
 template <class SourceOf>
 void MirrorImages::add_images(int threads, const Mirrored& mirrored, double close,
                               std::int64_t sources, const SourceOf& source_of) {
-  const auto& [scene, surface, walls, reach] = mirrored;
+  const Scene& scene = mirrored.scene;
+  const WallSurface& surface = mirrored.surface;
+  const WallPlacement& walls = mirrored.walls;
+  const double reach = mirrored.reach;
   const auto each_image = [&](const Source& source, FacetSearch& search, const auto& visit) {
     const Image* from_image =
         source.record < 0 ? &images_[static_cast<std::size_t>(-1 - source.record)] : nullptr;

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "engine/errors.hpp"
 #include "engine/run/run.hpp"
@@ -21,15 +20,11 @@ struct Part {
   double simulated = 0.0, steps = 0.0, wall_s = 0.0;
 };
 
-struct StageTime {
-  double time = 0.0;  ///< [s]
-  bool rested = false;
-};
-
 struct Rehearsal {
   Part start, whole;
-  std::vector<StageTime> stages;
+  double spacing = 0.0;
   bool finished = false;
+  int restless = 0;  ///< stages that waited for rest in vain
 };
 
 Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_time,
@@ -38,6 +33,7 @@ Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_t
   constexpr double fewest_steps = 50;  // fewer tell little about the cost of one
   Simulation simulation(scene, options);
   Rehearsal rehearsal;
+  rehearsal.spacing = scene.spacing;
   const auto began = Clock::now();
   while (!simulation.finished() && rehearsal.whole.wall_s < patience * most_seconds) {
     simulation.step();
@@ -46,9 +42,8 @@ Rehearsal rehearse(const Scene& scene, const RunOptions& options, double start_t
     const bool at_start =
         rehearsal.whole.steps <= fewest_steps || rehearsal.whole.simulated <= start_time;
     if (at_start) rehearsal.start = rehearsal.whole;
-    if (simulation.stage_ended())
-      rehearsal.stages.push_back(
-          {simulation.last_step().stage_time, simulation.stage_reached_rest()});
+    const bool waits = scene.stages[simulation.stage_index()].until == StageEnd::rest;
+    if (waits && simulation.stage_ended() && !simulation.stage_reached_rest()) ++rehearsal.restless;
   }
   rehearsal.finished = simulation.finished();
   return rehearsal;
@@ -66,21 +61,19 @@ Scene coarser(Scene scene, double wall_s, double particles, double wanted) {
 }
 
 /// On a lattice that does not fit its walls soil may never come to rest, on a slightly coarser one
-/// again: of stages that rested in `other` alone, its time is taken.
-double duration_by_both(const Rehearsal& rehearsal, const Rehearsal& other) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < rehearsal.stages.size(); ++k) {
-    const bool others = other.finished && other.stages[k].rested && !rehearsal.stages[k].rested;
-    sum += (others ? other : rehearsal).stages[k].time;
+/// again, which then takes its place.
+Rehearsal rehearse_until_rest(const Scene& scene, const RunOptions& options, double start_time,
+                              double patience) {
+  const Rehearsal first = rehearse(scene, options, start_time, patience);
+  if (!first.finished || first.restless == 0) return first;
+  Scene coarser_still = scene;
+  coarser_still.spacing *= 1.1;
+  try {
+    const Rehearsal second = rehearse(coarser_still, options, start_time, patience);
+    return second.finished && second.restless < first.restless ? second : first;
+  } catch (const Error&) {  // too coarse
+    return first;
   }
-  return sum;
-}
-
-bool all_rested(const Scene& scene, const Rehearsal& rehearsal) {
-  for (std::size_t k = 0; k < rehearsal.stages.size(); ++k) {
-    if (scene.stages[k].until == StageEnd::rest && !rehearsal.stages[k].rested) return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -100,26 +93,22 @@ Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& tr
   if (std::isnan(trial.seconds_per_step) || !trial.failure.empty()) return plain;
   try {
     const Scene coarse = coarser(scene, plain.wall_s, trial.particles, patience * wanted_seconds);
-    const Rehearsal rehearsal = rehearse(coarse, options, trial.simulated, patience);
+    const bool is_the_run = coarse.spacing == scene.spacing;
+    const Rehearsal rehearsal =
+        (is_the_run ? rehearse : rehearse_until_rest)(coarse, options, trial.simulated, patience);
     const Part &start = rehearsal.start, &whole = rehearsal.whole;
     if (start.steps == 0.0) return plain;
     const double shorter_steps = whole.steps / whole.simulated * start.simulated / start.steps;
     const double dearer_steps = whole.wall_s / whole.steps * start.steps / start.wall_s;
     Forecast better;
     better.simulated = rehearsal.finished ? whole.simulated : plain.simulated;
-    if (rehearsal.finished && !all_rested(coarse, rehearsal) && coarse.spacing != scene.spacing) {
-      Scene coarser_still = coarse;
-      coarser_still.spacing *= 1.1;
-      better.simulated =
-          duration_by_both(rehearsal, rehearse(coarser_still, options, trial.simulated, patience));
-    }
     better.steps = std::ceil(better.simulated / trial.time_step * shorter_steps);
     better.wall_s = better.steps * trial.seconds_per_step * dearer_steps;
-    if (rehearsal.finished && coarse.spacing == scene.spacing) {  // that was the run
+    if (rehearsal.finished && is_the_run) {
       better.steps = whole.steps;
       better.wall_s = whole.wall_s;
     }
-    better.rehearsal_spacing = coarse.spacing;
+    better.rehearsal_spacing = rehearsal.spacing;
     better.rehearsal_complete = rehearsal.finished ? 1.0 : whole.simulated / plain.simulated;
     return better;
   } catch (const Error&) {  // too coarse for its walls, or it came apart

@@ -22,9 +22,9 @@ struct Forecast {
 /// From `trial`, the start of the run, and a rehearsal: the whole scene on a lattice so coarse that
 /// it takes about three seconds, six at most. The rehearsal tells when stages come to rest, and how
 /// the time step and the cost of a step change from the start (soil in motion takes shorter steps
-/// and new lists). Where a stage does not come to rest in it, another one at 1.1 times the spacing
-/// is asked. A scene that cannot be coarsened or comes apart when it is goes without.
-/// `patience`: multiplies these seconds.
+/// and new lists). Where a stage does not come to rest in it, one at 1.1 times the spacing
+/// takes its place if more stages do. A scene that cannot be coarsened or comes apart when it is
+/// goes without. `patience`: multiplies these seconds.
 Forecast forecast(const Scene& scene, const RunOptions& options, const Trial& trial,
                   double patience = 1.0);
 

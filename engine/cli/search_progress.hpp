@@ -10,7 +10,7 @@
 namespace scarp::cli {
 
 /// Simulated time of the elastic response and all trials of a search together [s], as a rule: that
-/// of one trial that runs to the end of its window (0.8 to 1.2 of it in searches of seven slopes),
+/// of one trial that runs to the end of its window (0.8 to 1.15 of it in searches of six slopes),
 /// twice that where a soil softens (2.0 in one).
 double trials_together(const Criterion& criterion);
 

@@ -79,9 +79,8 @@ std::array<double, 6> geostatic_stress(double pressure, double k0, const Vec3& u
 ParticleKind kind_of(const Scene& scene, std::size_t material, double mass_scaling) {
   const double volume = std::pow(scene.spacing, scene.dimension);
   const Material& of = scene.materials[material];
-  return {
-      material, of.density,          scene.spacing, scene.numerics.smoothing_ratio * scene.spacing,
-      volume,   of.density * volume, mass_scaling};
+  return {material, of.density,          scene.spacing, smoothing_length_of(scene),
+          volume,   of.density * volume, mass_scaling};
 }
 
 void fill_particles(State& state, const InitialSoil& initial) {
@@ -147,7 +146,7 @@ void look_at_all_soil(State& state) {
 
 void set_pair_constants(State& state) {
   const Numerics& n = state.scene.numerics;
-  const kernels::SmoothingForm& form = smoothing_of(n);
+  const kernels::SmoothingForm& form = smoothing_of(state.scene);
   kernels::PairConstants<double>& c = state.sweep.constants;
   for (int k = 0; k < 3; ++k) {
     c.smoothing.derivative[k] = form.derivative(k);
@@ -161,7 +160,7 @@ void set_pair_constants(State& state) {
   for (std::size_t a = 0; a < 3; ++a)
     c.gravity[a] = state.scene.gravity[a] * state.smoothing_length;
   if (state.kernels.terms.has(kernels::Term::artificial_stress))
-    c.tension_factor = tension_factor_of(n).factor;
+    c.tension_factor = tension_factor_of(state.scene).factor;
 }
 
 }  // namespace
@@ -233,13 +232,14 @@ State make_state(Scene scene, const RunOptions& options, const Particles* partic
   const Numerics& n = state.scene.numerics;
   const int dimension = state.scene.dimension;
   state.kernels = choose_kernels(state.scene, any_yields(state.scene), choose_table(options));
-  state.smoothing_length = n.smoothing_ratio * state.scene.spacing;
-  const LatticeSums sums = lattice_sums(smoothing_of(n), n.smoothing_ratio, dimension);
+  state.smoothing_length = smoothing_length_of(state.scene);
+  const LatticeSums sums =
+      lattice_sums(smoothing_of(state.scene), smoothing_ratio_of(state.scene), dimension);
   state.lattice_moment = sums.moment;
   state.limits.acoustic_cfl = acoustic_cfl_limit(n, sums);
   state.limits.damping_rates = damping_rates(n, sums, state.kernels.settings);
   state.scaling.inverse_smoothing_length = 1.0 / state.smoothing_length;
-  state.scaling.gradient_factor = smoothing_of(n).normalisation(dimension) /
+  state.scaling.gradient_factor = smoothing_of(state.scene).normalisation(dimension) /
                                   std::pow(state.smoothing_length, dimension + 1) /
                                   (n.lattice_normalisation ? state.lattice_moment : 1.0);
   set_material_constants(state);

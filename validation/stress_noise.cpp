@@ -2,40 +2,33 @@
 /// Local linear fits by least squares.
 #include "validation/stress_noise.hpp"
 
+#include <Eigen/Dense>
+
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace scarp::validation {
 namespace {
 
-/// Sums of a fit f = a + b x + c y.
-struct Fit {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-  struct Sums {
-    double f = 0.0, fx = 0.0, fy = 0.0;
-    void add(double dx, double dy, double value) {
-      f += value;
-      fx += value * dx;
-      fy += value * dy;
-    }
-  };
+/// Pressure and the shear stresses.
+using Values = Eigen::Vector4d;
+/// 1 and the offset over the reach.
+using Basis = Eigen::Vector4d;
+using Key = std::array<long, 3>;
 
-  void add(double dx, double dy) {
-    n += 1.0;
-    x += dx;
-    y += dy;
-    xx += dx * dx;
-    xy += dx * dy;
-    yy += dy * dy;
+struct Fit {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero(), sums = Eigen::Matrix4d::Zero();
+
+  explicit Fit(int dimension) { normal(3, 3) = dimension == 2 ? 1.0 : 0.0; }  // no slope along z
+  void add(const Basis& basis, const Values& values) {
+    normal += basis * basis.transpose();
+    sums += basis * values.transpose();
   }
-  /// a, the value at the centre, by Cramer's rule.
-  double at_centre(const Sums& sums) const {
-    const double a = xx * yy - xy * xy, b = x * yy - y * xy, c = x * xy - y * xx;
-    return (sums.f * a - sums.fx * b + sums.fy * c) / (n * a - x * b + y * c);
-  }
+  double count() const { return normal(0, 0); }
+  Values at_centre() const { return normal.ldlt().solve(sums).row(0).transpose(); }
 };
 
 }  // namespace
@@ -43,44 +36,50 @@ struct Fit {
 StressNoise stress_noise(const Simulation& simulation) {
   const std::vector<double> position = simulation.field("position"),
                             stress = simulation.field("stress");
+  const int dimension = simulation.scene().dimension;
   const double reach = 2.0 * simulation.smoothing_length(), spacing = simulation.scene().spacing;
-  const double inside = 0.75 * std::numbers::pi * reach * reach / (spacing * spacing);
-  using Key = std::pair<long, long>;
-  std::map<Key, std::vector<std::size_t>> cells;
+  const double rows = reach / spacing;
+  const double inside =
+      0.75 * std::numbers::pi * (dimension == 2 ? rows * rows : 4.0 / 3.0 * rows * rows * rows);
   const std::size_t count = position.size() / 3;
+  std::map<Key, std::vector<std::size_t>> cells;
   const auto key = [&](std::size_t k) {
-    return Key{std::lround(std::floor(position[3 * k] / reach)),
-               std::lround(std::floor(position[3 * k + 1] / reach))};
+    Key place{};
+    for (std::size_t a = 0; a < 3; ++a)
+      place[a] = std::lround(std::floor(position[3 * k + a] / reach));
+    return place;
   };
-  std::vector<double> pressure(count);
+  std::vector<Values> values(count);
   for (std::size_t k = 0; k < count; ++k) {
     const double* s = &stress[6 * k];
-    pressure[k] = -(s[0] + s[1] + s[2]) / 3.0;
+    values[k] = {-(s[0] + s[1] + s[2]) / 3.0, s[3], s[4], s[5]};
     cells[key(k)].push_back(k);
   }
+  const auto neighbour_cells = [&](const Key& centre, auto&& with) {
+    const long last = dimension == 2 ? 0 : 1;
+    for (long x = -1; x <= 1; ++x)
+      for (long y = -1; y <= 1; ++y)
+        for (long z = -last; z <= last; ++z) {
+          const auto cell = cells.find({centre[0] + x, centre[1] + y, centre[2] + z});
+          if (cell != cells.end()) with(cell->second);
+        }
+  };
   double rough = 0.0, rough_shear = 0.0, all = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
-    Fit fit;
-    Fit::Sums of_pressure, of_shear;
-    const auto [i, j] = key(k);
-    for (long n = 0; n < 9; ++n) {
-      const auto cell = cells.find({i + n % 3 - 1, j + n / 3 - 1});
-      if (cell == cells.end()) continue;
-      for (const std::size_t other : cell->second) {
-        const double dx = position[3 * other] - position[3 * k],
-                     dy = position[3 * other + 1] - position[3 * k + 1];
-        if (!(dx * dx + dy * dy < reach * reach)) continue;
-        fit.add(dx / reach, dy / reach);
-        of_pressure.add(dx / reach, dy / reach, pressure[other]);
-        of_shear.add(dx / reach, dy / reach, stress[6 * other + 3]);
+    Fit fit(dimension);
+    neighbour_cells(key(k), [&](const std::vector<std::size_t>& members) {
+      for (const std::size_t other : members) {
+        const double *to = &position[3 * other], *from = &position[3 * k];
+        const Basis basis{1.0, (to[0] - from[0]) / reach, (to[1] - from[1]) / reach,
+                          (to[2] - from[2]) / reach};
+        if (basis.tail<3>().squaredNorm() < 1.0) fit.add(basis, values[other]);
       }
-    }
-    if (fit.n < inside) continue;
-    const double off = pressure[k] - fit.at_centre(of_pressure),
-                 off_shear = stress[6 * k + 3] - fit.at_centre(of_shear);
-    rough += off * off;
-    rough_shear += off_shear * off_shear;
-    all += pressure[k] * pressure[k];
+    });
+    if (fit.count() < inside) continue;
+    const Values off = values[k] - fit.at_centre();
+    rough += off[0] * off[0];
+    rough_shear += off.tail<3>().squaredNorm();
+    all += values[k][0] * values[k][0];
   }
   return {std::sqrt(rough / all), std::sqrt(rough_shear / all)};
 }

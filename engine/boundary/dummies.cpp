@@ -18,6 +18,7 @@
 #include "engine/boundary/wall_surface.hpp"
 #include "engine/errors.hpp"
 #include "engine/particles/particle_limit.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/stop.hpp"
 
 namespace scarp {
@@ -277,8 +278,7 @@ class DummyLayout {
 
 int wall_layers(const Scene& scene) {
   // The layer after the last lies (layers + 1/2) dx behind the face, which must be 2h or more.
-  return std::max(1,
-                  static_cast<int>(std::ceil(2.0 * scene.numerics.smoothing_ratio - 0.5 - 1e-9)));
+  return std::max(1, static_cast<int>(std::ceil(2.0 * smoothing_ratio_of(scene) - 0.5 - 1e-9)));
 }
 
 WallDummies generate_dummies(const Scene& scene, const std::function<bool()>& stop) {

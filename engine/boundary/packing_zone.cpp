@@ -10,6 +10,7 @@
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/particles/lattice_places.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/stop.hpp"
 
 namespace scarp {
@@ -91,7 +92,7 @@ class Zone {
     const Vec3 origin{first[0] - 0.5 * dx, first[1] - 0.5 * dx, first[2] - 0.5 * dx};
     const LatticePlaces places(soil_, origin, dx);
     const std::vector<Site> offsets =
-        offsets_within(2.0 * scene_.numerics.smoothing_ratio + 1.0, scene_.dimension);
+        offsets_within(2.0 * smoothing_ratio_of(scene_) + 1.0, scene_.dimension);
     std::vector<bool> moves(soil_.size(), false);
     for (const std::size_t k : zone.soil) moves[k] = true;
     std::set<Site> empty;

@@ -51,7 +51,7 @@ class Packing {
       : scene_(scene),
         surface_(surface),
         threads_(threads),
-        support_(2.0 * scene.numerics.smoothing_ratio * scene.spacing),
+        support_(2.0 * smoothing_length_of(scene)),
         stands_(scene.walls.size(), true),
         offset_(scene.walls.size(), Vec3{}) {
     for (std::size_t k = 0; k < dummies.position.size(); ++k) {
@@ -73,9 +73,8 @@ class Packing {
     sum_ = way_;
     build_lists();
     for (std::size_t k = 0; k < way_.size(); ++k) keep_off_faces(k);
-    const Numerics& n = scene_.numerics;
-    const double rate =
-        scene_.spacing * step_of(smoothing_of(n), n.smoothing_ratio, scene_.dimension);
+    const double rate = scene_.spacing *
+                        step_of(smoothing_of(scene_), smoothing_ratio_of(scene_), scene_.dimension);
     double used = margin;
     for (int round = 0;; ++round) {
       stop_if_asked(stop);
@@ -147,11 +146,10 @@ class Packing {
 
   /// sum_j V_j grad W_ij times the spacing, of what moves.
   void sum_gradients() {
-    const Numerics& n = scene_.numerics;
-    const kernels::SmoothingForm& form = smoothing_of(n);
-    const double h = n.smoothing_ratio * scene_.spacing;
+    const kernels::SmoothingForm& form = smoothing_of(scene_);
+    const double ratio = smoothing_ratio_of(scene_), h = ratio * scene_.spacing;
     const double volume =
-        form.normalisation(scene_.dimension) / std::pow(n.smoothing_ratio, scene_.dimension + 1);
+        form.normalisation(scene_.dimension) / std::pow(ratio, scene_.dimension + 1);
     parallel_chunks(threads_, moving_, chunk, [&](std::int64_t begin, std::int64_t end) {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
         const Vec3 at = point(i);

@@ -59,11 +59,11 @@ struct Choice {
 /// Those with the same support first.
 std::optional<Choice> without_growth(const Scene& scene, const LoadedLattice& loaded,
                                      double enough) {
-  const double own = scene.numerics.smoothing_ratio;
+  const double own = smoothing_ratio_of(scene);
   const std::array choices{
       Choice{SmoothingFunction::wendland_c2, own}, Choice{SmoothingFunction::yang_liu, own},
-      Choice{SmoothingFunction::cubic_spline, 1.2}, Choice{SmoothingFunction::yang_liu, 1.3},
-      Choice{SmoothingFunction::wendland_c2, 1.5}};
+      Choice{smoothing_function_of({}, scene.dimension), smoothing_ratio_of({}, scene.dimension)},
+      Choice{SmoothingFunction::yang_liu, 1.3}, Choice{SmoothingFunction::wendland_c2, 1.5}};
   for (const Choice& choice : choices) {
     LoadedLattice other = loaded;
     other.smoothing = &kernels::smoothing_functions[static_cast<std::size_t>(choice.function)];
@@ -94,8 +94,8 @@ void check_lattice(const Scene& scene, std::vector<std::string>& found) {
     if (!(depth > 0.0)) continue;
     const auto moduli = material.model.moduli();
     LoadedLattice loaded;
-    loaded.smoothing = &smoothing_of(scene.numerics);
-    loaded.smoothing_ratio = scene.numerics.smoothing_ratio;
+    loaded.smoothing = &smoothing_of(scene);
+    loaded.smoothing_ratio = smoothing_ratio_of(scene);
     loaded.dimension = scene.dimension;
     loaded.normalised = scene.numerics.lattice_normalisation;
     loaded.spacing = scene.spacing;

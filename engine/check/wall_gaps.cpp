@@ -12,6 +12,7 @@
 #include "engine/boundary/wall_joints.hpp"
 #include "engine/boundary/wall_surface.hpp"
 #include "engine/particles/shapes.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 
 namespace scarp {
 
@@ -53,7 +54,7 @@ std::vector<EdgePoint> edge_points(const Facet& facet, int dimension, double spa
 
 std::vector<std::string> wall_gaps(const Scene& scene) {
   const double touching = 1e-6 * scene.spacing;
-  const double reach = 2.0 * scene.numerics.smoothing_ratio * scene.spacing;
+  const double reach = 2.0 * smoothing_length_of(scene);
   constexpr double ahead = 0.7;  // within 45 degrees of the way out
   Scene joined = scene;
   close_narrow_gaps(joined);

@@ -9,6 +9,7 @@
 
 #include "engine/scene/numerics_list.hpp"
 #include "engine/scene/shape_list.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/scene/text_lines.hpp"
 
 namespace scarp {
@@ -18,7 +19,9 @@ namespace {
 /// where 0 is no value.
 constexpr double chosen = -1.0;
 
-void add_numerics(TextLines& lines, const Numerics& numerics) {
+/// What the scene leaves open stands as the value it has: a run goes on if it has that still.
+void add_numerics(TextLines& lines, const Scene& scene) {
+  const Numerics numerics = filled_in(scene);
   lines.section("numerics.");
   for (const NumericsRow& row : numerics_list) {
     if (row.kind == NumericsRow::Kind::truth) {
@@ -71,7 +74,7 @@ std::string scene_text(const Scene& scene) {
   lines.add("gravity", scene.gravity);
   lines.add("spacing", scene.spacing);
   lines.add("output.energy", scene.output.energy);
-  add_numerics(lines, scene.numerics);
+  add_numerics(lines, scene);
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const Material& material = scene.materials[m];
     lines.section(fmt::format("material[{}].", m));

@@ -23,6 +23,7 @@
 #include "engine/particles/shapes.hpp"
 #include "engine/plain_text.hpp"
 #include "engine/scene/numerics_list.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 
 namespace scarp::cli {
 namespace {
@@ -38,7 +39,7 @@ using check::Trial;
 /// Neighbours a particle has in the undisturbed lattice, itself not counted: the support is 2h
 /// wide.
 int lattice_neighbours(const Scene& scene) {
-  const double radius = 2.0 * scene.numerics.smoothing_ratio;  // in spacings
+  const double radius = 2.0 * smoothing_ratio_of(scene);  // in spacings
   const int reach = static_cast<int>(radius), high = scene.dimension == 2 ? 0 : reach;
   int count = -1;
   for (int x = -reach; x <= reach; ++x) {
@@ -69,7 +70,7 @@ Json summary(const Scene& scene, const Subject& subject) {
             {"wall_particles", shown(walls, subject.coarser)},
             {"spacing", scene.spacing},
             {"measured_at_spacing", simulation.scene().spacing},
-            {"smoothing_length", scene.numerics.smoothing_ratio * scene.spacing},
+            {"smoothing_length", smoothing_length_of(scene)},
             {"neighbours", lattice_neighbours(scene)},
             {"lattice_moment", simulation.lattice_moment()},
             {"isa", simulation.isa()},
@@ -168,7 +169,7 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
                                 json["particles"].get<std::size_t>(),
                                 json["wall_particles"].get<std::size_t>()));
   line("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.spacing,
-                              scene.numerics.smoothing_ratio * scene.spacing));
+                              smoothing_length_of(scene)));
   if (subject.coarser) {
     line("measured",
          fmt::format("at a spacing of {:.3g} m, with {} particles, and scaled: more would "

@@ -11,6 +11,7 @@
 #include "engine/cells/compact_clusters.hpp"
 #include "engine/cells/radix_sort.hpp"
 #include "engine/parallel.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/state.hpp"
 #include "engine/watch/too_light.hpp"
 #include "engine/watch/watch.hpp"
@@ -262,7 +263,7 @@ void deal_soil(State& state) {
 }
 
 double halo_of(const Scene& scene) {
-  const double reach = (2.0 + scene.numerics.skin) * scene.numerics.smoothing_ratio * scene.spacing;
+  const double reach = (2.0 + scene.numerics.skin) * smoothing_length_of(scene);
   const bool any_dummies =
       std::any_of(scene.walls.begin(), scene.walls.end(),
                   [](const Wall& wall) { return wall.kind == WallKind::no_slip; });

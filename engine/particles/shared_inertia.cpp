@@ -29,8 +29,8 @@ struct CellHash {
 }  // namespace
 
 AskedInertia::AskedInertia(const Scene& scene)
-    : form_(smoothing_of(scene.numerics)),
-      smoothing_length_(scene.numerics.smoothing_ratio * scene.spacing) {
+    : form_(smoothing_of(scene)),
+      smoothing_length_(smoothing_length_of(scene)) {
   double fastest = 0.0;
   for (const Material& material : scene.materials)
     fastest = std::max(fastest, material.sound_speed());
@@ -52,7 +52,7 @@ std::vector<double> shared_inertia(const Scene& scene, const Particles& soil) {
   std::vector<double> inertia(count, 1.0);
   if (!scales_mass(scene)) return inertia;
   const AskedInertia asked(scene);
-  const double reach = 2.0 * scene.numerics.smoothing_ratio * scene.spacing;
+  const double reach = 2.0 * smoothing_length_of(scene);
   const auto cell_of = [&](const Vec3& x) {
     Cell cell{};
     for (std::size_t a = 0; a < 3; ++a)

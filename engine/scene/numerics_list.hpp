@@ -100,9 +100,13 @@ constexpr NumericsRow choice(std::string_view key, MemberOf<Member> paper, std::
 }  // namespace detail
 
 inline constexpr NumericsRow numerics_list[] = {
-    detail::choice<&Numerics::smoothing>("smoothing", SmoothingFunction::yang_liu,
-                                         "smoothing function W"),
-    detail::number<&Numerics::smoothing_ratio>("smoothing_ratio", {0.8, 3.0}, 1.2, "-", "h/dx"),
+    detail::choice<&Numerics::smoothing>(
+        "smoothing", SmoothingFunction::yang_liu,
+        "smoothing function W; `\"auto\"`: the cubic spline in 2D, Yang and "
+        "Liu's in 3D"),
+    detail::number<&Numerics::smoothing_ratio>("smoothing_ratio", {0.8, 3.0}, 1.2, "-",
+                                               "h/dx; `\"auto\"` and 0: 1.2 in 2D, 1.3 in 3D",
+                                               "auto"),
     detail::truth<&Numerics::lattice_normalisation>(
         "lattice_normalisation", false, "divide grad W by the moment of the undisturbed lattice"),
     detail::truth<&Numerics::gradient_correction>(

@@ -19,7 +19,7 @@ namespace scarp {
 
 using Vec3 = std::array<double, 3>;
 
-enum class SmoothingFunction { yang_liu, cubic_spline, wendland_c2 };
+enum class SmoothingFunction { yang_liu, cubic_spline, wendland_c2, by_dimension };
 enum class StressRotation { jaumann, hughes_winget };
 enum class Integrator { verlet, kick_drift_kick };
 enum class WallKind { no_slip, free_slip };
@@ -32,7 +32,8 @@ enum class Precision { real64, mixed };
 template <class Choice>
 inline constexpr std::string_view words{};
 template <>
-inline constexpr std::string_view words<SmoothingFunction> = "yang_liu|cubic_spline|wendland_c2";
+inline constexpr std::string_view words<SmoothingFunction> =
+    "yang_liu|cubic_spline|wendland_c2|auto";
 template <>
 inline constexpr std::string_view words<StressRotation> = "jaumann|hughes_winget";
 template <>
@@ -56,10 +57,10 @@ requires(!words<Choice>.empty()) constexpr std::string_view word(Choice choice) 
 /// "modern".
 struct Numerics {
   std::string preset = "modern";
-  SmoothingFunction smoothing = SmoothingFunction::cubic_spline;
-  double smoothing_ratio = 1.2;       ///< smoothing length over particle spacing [-]
-  bool lattice_normalisation = true;  ///< divide grad W by the lattice moment
-  bool gradient_correction = true;    ///< correct the velocity gradient; density rate from it
+  SmoothingFunction smoothing = SmoothingFunction::by_dimension;  ///< `smoothing_function_of`
+  std::optional<double> smoothing_ratio{};  ///< h/dx [-]; empty: `smoothing_ratio_of`
+  bool lattice_normalisation = true;        ///< divide grad W by the lattice moment
+  bool gradient_correction = true;          ///< correct the velocity gradient; density rate from it
   bool force_correction = true;  ///< ... and the force, conjugate to it; walls by their average
   bool relaxed_packing = true;   ///< soil beside walls off the lattice is packed anew
   StressRotation stress_rotation = StressRotation::hughes_winget;

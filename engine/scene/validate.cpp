@@ -21,15 +21,20 @@ using checks::inside;
 using checks::positive;
 using checks::rule;
 
-void check_numerics(const Numerics& n) {
+void check_numerics(const Scene& scene) {
+  const Numerics& n = scene.numerics;
   rule(n.preset == "modern" || n.preset == "paper", "preset", '"' + n.preset + '"',
        "there is no such preset. Try \"modern\" or \"paper\".");
-  for (const NumericsRow& row : numerics_list)
+  for (const NumericsRow& row : numerics_list) {
+    const bool open = row.kind == NumericsRow::Kind::number && !row.words.empty();
+    if (open && row.get(n) == 0.0) continue;
     inside(row.get(n), row.minimum, row.maximum, fmt::format("numerics.{}", row.key));
+  }
+  if (n.smoothing_ratio) positive(*n.smoothing_ratio, 3.0, "numerics.smoothing_ratio");
   const std::string key = "numerics.artificial_stress_exponent";
   if (n.artificial_stress_exponent) positive(*n.artificial_stress_exponent, 20.0, key);
   if (n.artificial_stress > 0.0) {
-    const double error = tension_factor_of(n).error;
+    const double error = tension_factor_of(scene).error;
     const bool fits = error < 0.01;
     rule(fits, key,
          n.artificial_stress_exponent ? fmt::format("{}", *n.artificial_stress_exponent)
@@ -211,7 +216,7 @@ void validate(const Scene& scene, bool needs_bodies) {
   rule(!has_control(scene.title), "title", '"' + scene.title + '"',
        "it holds a control character or a line end. Try plain text.");
   checks::vector(scene.gravity, scene.dimension, 1e6, "gravity");
-  check_numerics(scene.numerics);
+  check_numerics(scene);
   rule(!scene.materials.empty(), "material", "none", "nothing is made of it. Try a [[material]].");
   rule(!needs_bodies || !scene.bodies.empty(), "body", "none", "there is no soil. Try a [[body]].");
   rule(!scene.stages.empty(), "stage", "none", "nothing would be run. Try a [[stage]].");

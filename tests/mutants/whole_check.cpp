@@ -17,6 +17,7 @@
 #include "engine/errors.hpp"
 #include "engine/scene/scene_reader.hpp"
 #include "tests/support/scene_message.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 
 namespace scarp {
 namespace {
@@ -89,7 +90,7 @@ double most_sites(const Scene& scene, double spacing) {
       count *= sites(box.high[a] - box.low[a]);
     total += count;
   }
-  const double layers = 2.0 * scene.numerics.smoothing_ratio + 2.0;
+  const double layers = 2.0 * smoothing_ratio_of(scene) + 2.0;
   for (const Wall& wall : scene.walls) {
     for (const Facet& facet : wall.facets) {
       const double across = scene.dimension == 3 ? sites(facet.length_v) + 2.0 * layers : 1.0;

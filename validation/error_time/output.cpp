@@ -32,7 +32,7 @@ Json json_of(const Point& point) {
           {"changes", changes_of(point.trial.setting)},
           {"spacing", point.spacing},
           {"smoothing", word(point.numerics.smoothing)},
-          {"smoothing_ratio", point.numerics.smoothing_ratio},
+          {"smoothing_ratio", *point.numerics.smoothing_ratio},
           {"integrator", word(point.numerics.integrator)},
           {"cfl", point.numerics.cfl},
           {"force_correction", point.numerics.force_correction},
@@ -117,7 +117,7 @@ void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
                        "memory [bytes]"});
   for (const Point& point : study.points) {
     const Numerics& n = point.numerics;
-    table << point.trial.setting.preset << word(n.smoothing) << n.smoothing_ratio
+    table << point.trial.setting.preset << word(n.smoothing) << *n.smoothing_ratio
           << word(n.integrator) << n.cfl << (n.force_correction ? 1.0 : 0.0) << n.stress_diffusion
           << word(n.precision) << point.spacing << word(point.status)
           << (point.reference ? "reference" : "compared") << (point.on_front ? 1.0 : 0.0)

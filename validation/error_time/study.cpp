@@ -15,6 +15,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/plain_text.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "validation/error_time/forecast.hpp"
 
 namespace scarp::validation {
@@ -47,7 +48,7 @@ class Runner {
         forecast_(spacings_, 2) {
     for (const std::string& preset : cases_.presets()) {
       const Scene scene = cases_.scene_at(spacings_.front(), preset);
-      presets_[preset] = scene.numerics;
+      presets_[preset] = filled_in(scene);
       if (scene.numerics.lattice_normalisation) continue;
       moments_[preset] = Simulation(scene, options.run).lattice_moment();
     }

@@ -14,6 +14,7 @@
 #include "engine/check/warnings.hpp"
 #include "engine/errors.hpp"
 #include "engine/setup.hpp"
+#include "validation/stability/scenes.hpp"
 #include "validation/stability/wall_passages.hpp"
 #include "validation/stress_noise.hpp"
 
@@ -51,13 +52,14 @@ Simulation start_of(const Cell& cell, const RunOptions& options) {
 /// sqrt(g H) of the soil's present height.
 double falling_speed(const Simulation& simulation) {
   const std::vector<double> position = simulation.field("position");
-  double low = position[1], high = low;
-  for (std::size_t k = 1; k < position.size(); k += 3) {
+  const Scene& scene = simulation.scene();
+  const std::size_t up = upwards(scene);
+  double low = position[up], high = low;
+  for (std::size_t k = up; k < position.size(); k += 3) {
     low = std::min(low, position[k]);
     high = std::max(high, position[k]);
   }
-  const Scene& scene = simulation.scene();
-  return std::sqrt(std::abs(scene.gravity[1]) * (high - low + scene.spacing));
+  return std::sqrt(std::abs(scene.gravity[up]) * (high - low + scene.spacing));
 }
 
 class Measures {

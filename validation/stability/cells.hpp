@@ -11,7 +11,7 @@
 namespace scarp::validation {
 
 struct Cell {
-  std::string group;           ///< "stiffness", "strength", "loading", "shape", "scale", "noise"
+  std::string group;           ///< "stiffness", "strength", "loading", ...: of the map's parts
   std::string axis;            ///< "E", "cohesion", ...
   std::string value;           ///< "100 kPa"
   Scene scene;                 ///< with its preset and precision

@@ -9,6 +9,7 @@
 
 #include "engine/check/stability_margin.hpp"
 #include "engine/scene/shape_list.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -17,16 +18,19 @@ constexpr double degree = std::numbers::pi / 180.0;
 
 /// Of all bodies [m].
 double height_of(const Scene& scene) {
+  const std::size_t up = upwards(scene);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Body& body : scene.bodies) {
-    const ShapeExtent extent = row_of(body.shape).extent(body.shape, 2);
-    low = std::min(low, extent.minimum[1]);
-    high = std::max(high, extent.maximum[1]);
+    const ShapeExtent extent = row_of(body.shape).extent(body.shape, scene.dimension);
+    low = std::min(low, extent.minimum[up]);
+    high = std::max(high, extent.maximum[up]);
   }
   return high - low;
 }
 
 }  // namespace
+
+std::size_t upwards(const Scene& scene) { return scene.dimension == 2 ? 1 : 2; }
 
 Stage lasting(const std::string& name, double duration) {
   Stage stage;
@@ -71,7 +75,7 @@ Material solid(const std::string& name, double youngs, double density) {
 }
 
 void set_stages(Scene& scene, double settle_passages) {
-  const double passage = scene.numerics.smoothing_ratio * scene.spacing / sound_speed(scene);
+  const double passage = smoothing_length_of(scene) / sound_speed(scene);
   Stage settle = lasting("settle", settle_passages * passage);
   settle.until = StageEnd::rest;
   settle.reset_after = true;
@@ -80,7 +84,7 @@ void set_stages(Scene& scene, double settle_passages) {
 }
 
 bool can_stand(const Scene& scene) {
-  const double weight = std::abs(scene.gravity[1]) * height_of(scene);
+  const double weight = std::abs(scene.gravity[upwards(scene)]) * height_of(scene);
   return std::all_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
     return m.density * weight < m.model.moduli().wave_modulus();
   });
@@ -105,7 +109,7 @@ void settle_fully(Scene& scene) {
   settle.duration = std::max(*settle.duration, 10.0 * std::sqrt(inertia) * times);
   // What is out of balance then, c_d v, gives the speed c_d v/omega without damping: a hundredth of
   // what a cell that stands may have.
-  const double still = 1e-4 * std::sqrt(std::abs(scene.gravity[1]) * height);
+  const double still = 1e-4 * std::sqrt(std::abs(scene.gravity[upwards(scene)]) * height);
   settle.rest_velocity = std::min(1e-7 * fastest, 0.01 * still * shear_wave / pressure_wave);
 }
 
@@ -133,6 +137,33 @@ Scene bed_scene(const std::string& preset_name, double width, double height, dou
   scene.walls = {wall_2d("base", WallKind::no_slip, {line_2d(0, 0, width, 0)}),
                  wall_2d("sides", WallKind::free_slip,
                          {line_2d(0, top, 0, 0), line_2d(width, 0, width, top)})};
+  scene.initial_stress = InitialStress::geostatic;
+  set_stages(scene, 300.0);
+  return scene;
+}
+
+Scene bed_scene_3d(const std::string& preset_name, double width, double height, double spacing) {
+  Scene scene;
+  scene.dimension = 3;
+  scene.gravity = {0.0, 0.0, -9.81};
+  scene.spacing = spacing;
+  scene.numerics = preset(preset_name);
+  scene.materials = {soil()};
+  scene.bodies = {{.shape = Box{{0, 0, 0}, {width, width, height}}}};
+  const double top = 2.0 * height;
+  // Soil lies on the side of u x v.
+  const auto face = [](Vec3 origin, Vec3 u, Vec3 v, double length_u, double length_v) {
+    const Vec3 normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                      u[0] * v[1] - u[1] * v[0]};
+    return Facet{origin, u, v, length_u, length_v, normal};
+  };
+  const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  Wall base{.name = "base", .kind = WallKind::no_slip}, sides{.name = "sides"};
+  base.facets = {face({0, 0, 0}, x, y, width, width)};
+  sides.kind = WallKind::free_slip;
+  sides.facets = {face({0, 0, 0}, y, z, width, top), face({width, 0, 0}, z, y, top, width),
+                  face({0, 0, 0}, z, x, top, width), face({0, width, 0}, x, z, width, top)};
+  scene.walls = {base, sides};
   scene.initial_stress = InitialStress::geostatic;
   set_stages(scene, 300.0);
   return scene;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Scenes of the stability map: all 2D, at most about 500 particles.
+/// Scenes of the stability map: at most about 500 particles.
 #pragma once
 
 #include "engine/scene/scene.hpp"
 
 namespace scarp::validation {
 
+/// Axis along which gravity acts in these scenes.
+std::size_t upwards(const Scene& scene);
 Stage lasting(const std::string& name, double duration);
 Facet line_2d(double x0, double y0, double x1, double y1);
 Wall wall_2d(const std::string& name, WallKind kind, std::vector<Facet> facets);
@@ -18,8 +20,10 @@ Material solid(const std::string& name, double youngs, double density = 2000.0);
 
 /// Slope of 10 m on 5 m of ground at 1 m, 445 particles: settles, then goes on at full strength.
 Scene slope_scene(const std::string& preset_name);
-/// Level bed between smooth sides on a rough base, the lower left corner at the origin.
+/// Level bed between smooth sides on a rough base, the lower left corner at the origin; 2D, and 3D
+/// as wide each way.
 Scene bed_scene(const std::string& preset_name, double width, double height, double spacing);
+Scene bed_scene_3d(const std::string& preset_name, double width, double height, double spacing);
 
 /// Stages whose lengths suit the stiffness: settling for `passages` waves over h, then on.
 void set_stages(Scene& scene, double settle_passages);

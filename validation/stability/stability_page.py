@@ -15,7 +15,7 @@ WORDS = {"holds": "runs, and is stable at the CFL number in use",
          "stopped": "stopped by the watch, with its report",
          "refused": "an error before the first step",
          "failed": "grains lost or numbers not finite without a report"}
-GROUPS = ("stiffness", "strength", "loading", "shape", "scale", "noise")
+GROUPS = ("stiffness", "strength", "loading", "shape", "scale", "noise", "3D")
 
 
 def _setting(cell):

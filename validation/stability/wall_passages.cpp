@@ -18,14 +18,17 @@ double fastest(const Simulation& simulation) {
   if (simulation.lost_soil().particles == 0) return simulation.last_step().max_velocity;
   const std::vector<double> v = simulation.field("velocity");
   double most = 0.0;
-  for (std::size_t k = 0; k < v.size(); k += 3) most = std::max(most, std::hypot(v[k], v[k + 1]));
+  for (std::size_t k = 0; k < v.size(); k += 3)
+    most = std::max(most, std::hypot(v[k], v[k + 1], v[k + 2]));
   return most;
 }
 
 }  // namespace
 
 WallPassages::WallPassages(const Scene& scene, std::span<const double> position)
-    : depth_(lost_depth * scene.spacing), last_(position.begin(), position.end()) {
+    : dimension_(scene.dimension),
+      depth_(lost_depth * scene.spacing),
+      last_(position.begin(), position.end()) {
   for (const Wall& wall : scene.walls) {
     std::size_t removed_at = std::numeric_limits<std::size_t>::max();
     for (std::size_t s = 0; s < scene.stages.size(); ++s)
@@ -44,10 +47,10 @@ void WallPassages::follow(std::span<const double> position, std::size_t stage) {
     for (std::size_t k = 0; k < grains; ++k) {
       const Vec3 before{last_[3 * k], last_[3 * k + 1], last_[3 * k + 2]};
       const Vec3 now{position[3 * k], position[3 * k + 1], position[3 * k + 2]};
-      const double depth = geometry::coordinates(facet, 2, now).depth;
+      const double depth = geometry::coordinates(facet, dimension_, now).depth;
       const bool behind =
           stands && depth > 0.0 &&
-          (behind_[f * grains + k] || geometry::goes_in(facet, 2, before, now, 0.0));
+          (behind_[f * grains + k] || geometry::goes_in(facet, dimension_, before, now, 0.0));
       behind_[f * grains + k] = behind;
       if (behind && depth > depth_) passed_[k] = true;
     }

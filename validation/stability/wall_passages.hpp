@@ -13,7 +13,7 @@ namespace scarp::validation {
 /// through a face, within its outline, and got deeper from there than any face holds
 /// (`lost_depth`), wherever it went then. A grain that flies over the edge and falls behind the
 /// wall has not, and one that comes back through the face before it is so deep neither. Nothing of
-/// the engine's own watch over the faces is asked. Pre: 2D; walls do not move.
+/// the engine's own watch over the faces is asked. Pre: walls do not move.
 class WallPassages {
  public:
   WallPassages(const Scene& scene, std::span<const double> position);
@@ -28,6 +28,7 @@ class WallPassages {
     Facet facet;
     std::size_t removed_at;  ///< index of the stage from which the wall is gone
   };
+  int dimension_;
   double depth_;
   std::vector<Face> faces_;
   std::vector<double> last_;

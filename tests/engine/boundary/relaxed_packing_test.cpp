@@ -111,8 +111,8 @@ struct Trough {
 
   /// rms of |sum V grad W| dx over the soil that does not see the free surface.
   double residual(const std::vector<Vec3>& soil) const {
-    const kernels::SmoothingForm& form = smoothing_of(scene.numerics);
-    const double ratio = scene.numerics.smoothing_ratio, h = ratio * dx;
+    const kernels::SmoothingForm& form = smoothing_of(scene);
+    const double ratio = smoothing_ratio_of(scene), h = ratio * dx;
     const double volume = form.normalisation(dimension) / std::pow(ratio, dimension + 1);
     const std::vector<Vec3> all = neighbours(soil);
     double squares = 0.0;

@@ -46,7 +46,7 @@ double closed_form(const Setting& setting) {
   const Scene scene = squeezed(setting);
   const auto moduli = scene.materials[0].model.moduli();
   LoadedLattice lattice;
-  lattice.smoothing = &smoothing_of(scene.numerics);
+  lattice.smoothing = &smoothing_of(scene);
   lattice.smoothing_ratio = setting.ratio;
   lattice.wave_modulus = moduli.wave_modulus();
   lattice.shear_modulus = moduli.shear_modulus;
@@ -89,6 +89,36 @@ TEST(LatticeGrowthTest, TheClosedFormIsWhatTheEngineDoes) {
                            Setting{wendland_c2, 1.5, 0.0}, Setting{wendland_c2, 2.0, 0.0}}) {
     EXPECT_LT(closed_form(s), 1e-3) << s.ratio;
     EXPECT_EQ(measured(s, 10.0), 0.0) << s.ratio;
+  }
+}
+
+TEST(LatticeGrowthTest, WhatModernTakesStandsInBothDimensions) {
+  for (const int dimension : {2, 3}) {
+    LoadedLattice lattice;
+    lattice.dimension = dimension;
+    lattice.wave_modulus = 13.5e6;  // E = 10 MPa, nu = 0.3
+    lattice.shear_modulus = 3.85e6;
+    lattice.inertia = 2000.0;
+    lattice.pressure = 400e3;  // below 20 m of soil
+    lattice.down = dimension == 2 ? Vec3{0, -1, 0} : Vec3{0, 0, -1};
+    const auto rate = [&](const Numerics& numerics) {
+      lattice.smoothing = &smoothing_of(numerics, dimension);
+      lattice.smoothing_ratio = smoothing_ratio_of(numerics, dimension);
+      return growth_rate(lattice);
+    };
+    for (const double k0 : {0.43, 1.0}) {
+      lattice.k0 = k0;
+      EXPECT_EQ(rate(preset("modern")), 0.0) << dimension;
+    }
+    // In 3D the cubic spline has no ratio with so few neighbours that stands.
+    Numerics cubic = preset("modern");
+    cubic.smoothing = SmoothingFunction::cubic_spline;
+    for (const double ratio : {1.2, 1.3, 1.4}) {
+      cubic.smoothing_ratio = ratio;
+      if (dimension == 3 || ratio > 1.2) {
+        EXPECT_GT(rate(cubic), 0.1) << ratio;
+      }
+    }
   }
 }
 

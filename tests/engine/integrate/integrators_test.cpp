@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/integrate/lattice_sums.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/simulation.hpp"
 #include "kernels/smoothing/list.hpp"
 #include "tests/support/small_scenes.hpp"
@@ -87,7 +88,7 @@ TEST_P(IntegratorTest, TheStepOfAGrainInStrongGravityIsThatOfItsForce) {
   Simulation simulation(scene);
   const double acceleration = std::hypot(-drag * speed[0], strong - drag * speed[1]);
   const double step =
-      scene.numerics.cfl * std::sqrt(scene.numerics.smoothing_ratio * dx / acceleration);
+      scene.numerics.cfl * std::sqrt(smoothing_ratio_of(scene) * dx / acceleration);
   EXPECT_NEAR(simulation.step().time_step, step, 1e-15);
   EXPECT_EQ(simulation.last_step().limit, StepLimit::force);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/simulation.hpp"
 #include "kernels/smoothing/list.hpp"
 #include "tests/support/small_scenes.hpp"
@@ -36,9 +37,8 @@ Scene standing_wave(Integrator integrator) {
 /// Circular frequency of that wave: the sound speed times -1/M sum V W' (x/r) sin(k x) over the
 /// lattice, for the velocity gradient and for the force alike. Equation: K2, T1.
 double frequency(const Scene& scene) {
-  const auto& form =
-      kernels::smoothing_functions[static_cast<std::size_t>(scene.numerics.smoothing)];
-  const double ratio = scene.numerics.smoothing_ratio;
+  const auto& form = smoothing_of(scene);
+  const double ratio = smoothing_ratio_of(scene);
   double wave = 0.0, moment = 0.0;
   for (int i = -3; i <= 3; ++i) {
     for (int j = -3; j <= 3; ++j) {

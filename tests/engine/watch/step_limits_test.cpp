@@ -9,16 +9,15 @@
 
 #include "engine/check/stability_margin.hpp"
 #include "engine/integrate/lattice_sums.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 #include "engine/sweep/chosen_kernels.hpp"
-#include "kernels/smoothing/list.hpp"
 #include "tests/support/small_scenes.hpp"
 
 namespace scarp::test {
 namespace {
 
 LatticeSums sums_of(const Numerics& n, int dimension) {
-  return lattice_sums(kernels::smoothing_functions[static_cast<std::size_t>(n.smoothing)],
-                      n.smoothing_ratio, dimension);
+  return lattice_sums(smoothing_of(n, dimension), smoothing_ratio_of(n, dimension), dimension);
 }
 
 std::size_t place(kernels::Term term) { return static_cast<std::size_t>(term); }

@@ -11,6 +11,7 @@
 
 #include "engine/errors.hpp"
 #include "engine/output/text_file.hpp"
+#include "engine/scene/smoothing_choice.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -80,7 +81,7 @@ double viscous_share(const Scene& scene, const BendingMode& mode, double radians
   const Material& soil = scene.materials.front();
   const double poisson = soil.model.parameter("poisson_ratio"), plane = poisson / (1.0 - poisson);
   const double mean = (3.0 - 2.0 * plane + 3.0 * plane * plane) / 8.0;
-  const double h = scene.numerics.smoothing_ratio * scene.spacing;
+  const double h = smoothing_length_of(scene);
   const double rate = 0.5 * soil.density * scene.numerics.viscosity_alpha * h * soil.sound_speed() *
                       mean * mode.frequency() / Beam(scene).modulus;
   return -std::expm1(-rate * radians);

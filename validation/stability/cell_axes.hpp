@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// One factor changed at a time, in both presets.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "validation/stability/cells.hpp"
+
+namespace scarp::validation {
+
+using CellChange = std::function<void(Cell&)>;
+using CellBase = std::function<Scene(const std::string&)>;
+
+/// One value of an axis.
+struct CellPoint {
+  std::string value;
+  CellChange change;
+  bool in_short = false;
+};
+
+class CellAxes {
+ public:
+  explicit CellAxes(bool short_form) : short_(short_form) {}
+
+  struct Axis {
+    std::string group, name;
+    CellBase base;
+    bool bisect = false;
+    double settle = 300.0;  ///< passages; 0: the scene's own stages
+    bool mixed = false;     ///< with mixed precision too
+    bool stands = false;    ///< nothing should move in the end
+  };
+
+  /// Adds the cells of both presets at every point.
+  void axis(const Axis& axis, const std::vector<CellPoint>& points);
+
+  std::vector<Cell> take() { return std::move(cells_); }
+
+ private:
+  void add(const Axis& axis, const CellPoint& point, const std::string& preset_name,
+           Precision precision);
+
+  bool short_;
+  std::vector<Cell> cells_;
+};
+
+/// The cells' other material.
+CellChange material(const Material& m);
+
+void add_shape(CellAxes& axes);
+void add_scale(CellAxes& axes);
+/// After failure, under refinement.
+void add_noise(CellAxes& axes);
+void add_3d(CellAxes& axes);
+
+}  // namespace scarp::validation

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// The axes in 3D, where lattices and supports have other limits than in 2D.
+#include "validation/stability/cell_axes.hpp"
+#include "validation/stability/scenes.hpp"
+
+namespace scarp::validation {
+
+void add_3d(CellAxes& axes) {
+  const CellBase bed = [](const std::string& name) { return bed_scene_3d(name, 3.0, 7.0, 0.5); };
+  const auto elastic = [](double youngs, double poisson) {
+    return material(soil(youngs, 10e3, 20, 0, poisson));
+  };
+  axes.axis({"3D", "E and nu, bed", bed, true, 300.0, true, true},
+            {{"10 MPa", elastic(10e6, 0.3), true},
+             {"100 MPa", elastic(100e6, 0.3)},
+             {"10 GPa", elastic(10e9, 0.3)},
+             {"100 MPa, 0.49", elastic(100e6, 0.49)}});
+  const auto smooth = [&](SmoothingFunction function, double ratio) {
+    return [=](Cell& cell) {
+      elastic(10e6, 0.3)(cell);
+      cell.steps = 8000;  // for what grows from rest
+      cell.scene.numerics.smoothing = function;
+      cell.scene.numerics.smoothing_ratio = ratio;
+    };
+  };
+  axes.axis({"3D", "W and h/dx, bed", bed, false, 300.0, false, true},
+            {{"cubic spline 1.2", smooth(SmoothingFunction::cubic_spline, 1.2), true},
+             {"cubic spline 1.5", smooth(SmoothingFunction::cubic_spline, 1.5)},
+             {"Yang and Liu 1.4", smooth(SmoothingFunction::yang_liu, 1.4)},
+             {"Wendland C2 1.5", smooth(SmoothingFunction::wendland_c2, 1.5)}});
+  const auto layered = [](double below, double above) {
+    return [=](Cell& cell) {
+      Material low = soil(below), high = soil(above);
+      low.name = "below";
+      high.name = "above";
+      cell.scene.materials = {low, high};
+      cell.scene.bodies = {{.shape = Box{{0, 0, 0}, {3, 3, 3}}, .material = "below"},
+                           {.shape = Box{{0, 0, 3}, {3, 3, 6}}, .material = "above"}};
+    };
+  };
+  axes.axis(
+      {"3D", "contrast, bed", bed, true, 300.0, false, true},
+      {{"100, stiff below", layered(1e9, 1e7), true}, {"100, stiff above", layered(1e7, 1e9)}});
+  const CellBase column = [](const std::string& name) {
+    Scene scene = bed_scene_3d(name, 2.0, 4.0, 0.2);
+    scene.materials = {soil(10e6, 0, 30)};
+    scene.walls[0].facets[0].length_u = scene.walls[0].facets[0].length_v = 12.0;
+    scene.walls[1].facets = {scene.walls[1].facets[0], scene.walls[1].facets[2]};  // of a quarter
+    for (Facet& facet : scene.walls[1].facets) {
+      (facet.tangent_u[2] == 0.0 ? facet.length_u : facet.length_v) = 12.0;
+    }
+    scene.stages = {lasting("collapse", 4.0)};
+    return scene;
+  };
+  const auto finer = [](double factor) {
+    return [factor](Cell& cell) {
+      cell.scene.spacing /= factor;
+      cell.steps = 200000;
+    };
+  };
+  axes.axis({"noise", "3D column after its collapse", column, false, 0.0},
+            {{"dx 0.2 m", finer(1), true}, {"dx 0.13 m", finer(1.5)}});
+}
+
+}  // namespace scarp::validation

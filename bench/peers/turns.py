@@ -31,7 +31,10 @@ def scene_text(name, numerics, **values):
         text, found = re.subn(f"(?m)^{key} = .*$", f"{key} = {value}", text)
         if found != 1:
             raise RuntimeError(f"{name}: a line '{key} = ...' has to stand there once, and does {found} times")
-    return f'preset = "{preset}"\n{text}\n[numerics]\nprecision = "{precision}"\n'
+    if "[numerics]" not in text:
+        text += "\n[numerics]"
+    text = text.replace("[numerics]", f'[numerics]\nprecision = "{precision}"')
+    return f'preset = "{preset}"\n{text}\n'
 
 
 def run_scarp(program, scene, inspect=None):

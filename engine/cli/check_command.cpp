@@ -70,6 +70,7 @@ Json summary(const Scene& scene, const Subject& subject) {
             {"wall_particles", shown(walls, subject.coarser)},
             {"spacing", scene.spacing},
             {"measured_at_spacing", simulation.scene().spacing},
+            {"smoothing", smoothing_of(scene).name},
             {"smoothing_length", smoothing_length_of(scene)},
             {"neighbours", lattice_neighbours(scene)},
             {"lattice_moment", simulation.lattice_moment()},
@@ -168,15 +169,16 @@ void print(const Scene& scene, const Subject& subject, const Json& json, const T
   line("particles", fmt::format("{}{} soil, {} wall", subject.coarser ? "about " : "",
                                 json["particles"].get<std::size_t>(),
                                 json["wall_particles"].get<std::size_t>()));
-  line("spacing", fmt::format("{:g} m, smoothing length {:g} m", scene.spacing,
-                              smoothing_length_of(scene)));
+  line("spacing",
+       fmt::format("{:g} m, smoothing length {:g} m", scene.spacing, smoothing_length_of(scene)));
   if (subject.coarser) {
     line("measured",
          fmt::format("at a spacing of {:.3g} m, with {} particles, and scaled: more would "
                      "take longer than seconds",
                      simulation.scene().spacing, simulation.soil_count()));
   }
-  line("neighbours", fmt::format("{} per particle", lattice_neighbours(scene)));
+  line("neighbours", fmt::format("{} per particle, weighted by {}", lattice_neighbours(scene),
+                                 smoothing_of(scene).name));
   line("preset", preset_and_changes(scene.numerics));
   line("machine", fmt::format("{}, up to {} threads", simulation.isa(), simulation.threads()));
   line("memory", fmt::format("about {} at its peak, of which {} hold the state",

@@ -6,7 +6,7 @@
 namespace scarp::validation {
 
 void add_3d(CellAxes& axes) {
-  const CellBase bed = [](const std::string& name) { return bed_scene_3d(name, 3.0, 7.0, 0.5); };
+  const CellBase bed = [](const std::string& name) { return bed_scene_3d(name, 4.0, 8.0, 0.5); };
   const auto elastic = [](double youngs, double poisson) {
     return material(soil(youngs, 10e3, 20, 0, poisson));
   };
@@ -34,8 +34,8 @@ void add_3d(CellAxes& axes) {
       low.name = "below";
       high.name = "above";
       cell.scene.materials = {low, high};
-      cell.scene.bodies = {{.shape = Box{{0, 0, 0}, {3, 3, 3}}, .material = "below"},
-                           {.shape = Box{{0, 0, 3}, {3, 3, 6}}, .material = "above"}};
+      cell.scene.bodies = {{.shape = Box{{0, 0, 0}, {4, 4, 4}}, .material = "below"},
+                           {.shape = Box{{0, 0, 4}, {4, 4, 8}}, .material = "above"}};
     };
   };
   axes.axis(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/// Scenes of the stability map: at most about 500 particles.
+/// Scenes of the stability map: at most about 500 particles, in 3D 1000.
 #pragma once
 
 #include "engine/scene/scene.hpp"

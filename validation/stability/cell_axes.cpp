@@ -33,4 +33,11 @@ CellChange material(const Material& m) {
   return [m](Cell& cell) { cell.scene.materials[0] = m; };
 }
 
+CellChange finer(double factor) {
+  return [factor](Cell& cell) {
+    cell.scene.spacing /= factor;
+    cell.steps = 200000;
+  };
+}
+
 }  // namespace scarp::validation

@@ -48,6 +48,8 @@ class CellAxes {
 
 /// The cells' other material.
 CellChange material(const Material& m);
+/// A spacing so many times finer, run to the end of its stages.
+CellChange finer(double factor);
 
 void add_shape(CellAxes& axes);
 void add_scale(CellAxes& axes);

@@ -52,12 +52,6 @@ void add_3d(CellAxes& axes) {
     scene.stages = {lasting("collapse", 4.0)};
     return scene;
   };
-  const auto finer = [](double factor) {
-    return [factor](Cell& cell) {
-      cell.scene.spacing /= factor;
-      cell.steps = 200000;
-    };
-  };
   axes.axis({"noise", "3D column after its collapse", column, false, 0.0},
             {{"dx 0.2 m", finer(1), true}, {"dx 0.13 m", finer(1.5)}});
 }

@@ -140,12 +140,6 @@ void add_noise(CellAxes& axes) {
     scene.stages = {lasting("collapse", 5.0)};
     return scene;
   };
-  const auto finer = [](double factor) {
-    return [factor](Cell& cell) {
-      cell.scene.spacing /= factor;
-      cell.steps = 200000;
-    };
-  };
   axes.axis({"noise", "column after its collapse", column, false, 0.0},
             {{"dx 0.4 m", finer(1), true}, {"dx 0.2 m", finer(2)}, {"dx 0.1 m", finer(4)}});
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "validation/stability/cells.hpp"
@@ -30,7 +31,7 @@ class CellAxes {
     bool bisect = false;
     double settle = 300.0;  ///< passages; 0: the scene's own stages
     bool mixed = false;     ///< with mixed precision too
-    bool stands = false;    ///< nothing should move in the end
+    bool stands = false;    ///< nothing should move without damping
   };
 
   /// Adds the cells of both presets at every point.
@@ -46,7 +47,7 @@ class CellAxes {
   std::vector<Cell> cells_;
 };
 
-/// The cells' other material.
+/// Another material for all soil.
 CellChange material(const Material& m);
 /// A spacing so many times finer, run to the end of its stages.
 CellChange finer(double factor);

@@ -19,7 +19,7 @@ struct Cell {
   std::uint64_t steps = 2000;  ///< of the last stage, at most
   double displaced = 0.0;      ///< coordinates of particles at the start by up to so many spacings
   bool coincident = false;     ///< the second particle is put on the first
-  bool stands = false;         ///< nothing should move in the end
+  bool stands = false;         ///< nothing should move without damping
 };
 
 /// All cells, those of one axis and value together; the short form has the ends of each axis.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// The axes in 3D, where lattices and supports have other limits than in 2D.
+#include "engine/scene/facets.hpp"
 #include "validation/stability/cell_axes.hpp"
 #include "validation/stability/scenes.hpp"
 
@@ -44,11 +45,9 @@ void add_3d(CellAxes& axes) {
   const CellBase column = [](const std::string& name) {
     Scene scene = bed_scene_3d(name, 2.0, 4.0, 0.2);
     scene.materials = {soil(10e6, 0, 30)};
-    scene.walls[0].facets[0].length_u = scene.walls[0].facets[0].length_v = 12.0;
-    scene.walls[1].facets = {scene.walls[1].facets[0], scene.walls[1].facets[2]};  // of a quarter
-    for (Facet& facet : scene.walls[1].facets) {
-      (facet.tangent_u[2] == 0.0 ? facet.length_u : facet.length_v) = 12.0;
-    }
+    const Box ground{{0, 0, 0}, {12, 12, 8}};  // of a quarter
+    scene.walls[0].facets = box_facets(ground, {"-x", "+x", "-y", "+y", "+z"}, 3);
+    scene.walls[1].facets = box_facets(ground, {"+x", "+y", "-z", "+z"}, 3);
     scene.stages = {lasting("collapse", 4.0)};
     return scene;
   };

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/check/stability_margin.hpp"
+#include "engine/scene/facets.hpp"
 #include "engine/scene/shape_list.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 
@@ -150,19 +151,11 @@ Scene bed_scene_3d(const std::string& preset_name, double width, double height, 
   scene.numerics = preset(preset_name);
   scene.materials = {soil()};
   scene.bodies = {{.shape = Box{{0, 0, 0}, {width, width, height}}}};
-  const double top = 2.0 * height;
-  // Soil lies on the side of u x v.
-  const auto face = [](Vec3 origin, Vec3 u, Vec3 v, double length_u, double length_v) {
-    const Vec3 normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                      u[0] * v[1] - u[1] * v[0]};
-    return Facet{origin, u, v, length_u, length_v, normal};
-  };
-  const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  Wall base{.name = "base", .kind = WallKind::no_slip}, sides{.name = "sides"};
-  base.facets = {face({0, 0, 0}, x, y, width, width)};
-  sides.kind = WallKind::free_slip;
-  sides.facets = {face({0, 0, 0}, y, z, width, top), face({width, 0, 0}, z, y, top, width),
-                  face({0, 0, 0}, z, x, top, width), face({0, width, 0}, x, z, width, top)};
+  const Box room{{0, 0, 0}, {width, width, 2.0 * height}};
+  Wall base{.name = "base", .kind = WallKind::no_slip};
+  Wall sides{.name = "sides", .kind = WallKind::free_slip};
+  base.facets = box_facets(room, {"-x", "+x", "-y", "+y", "+z"}, 3);
+  sides.facets = box_facets(room, {"-z", "+z"}, 3);
   scene.walls = {base, sides};
   scene.initial_stress = InitialStress::geostatic;
   set_stages(scene, 300.0);

@@ -160,6 +160,29 @@ TEST(SceneReaderTest, EveryRowOfThePresetsCanBeOverridden) {
   EXPECT_EQ(n.density_maximum, 1.1);
 }
 
+TEST(SceneReaderTest, AutoIsTheSmoothingOfTheDimension) {
+  for (const int dimension : {2, 3}) {
+    Scene scene = read(dimension == 2 ? slope_text : everything_text);
+    ASSERT_EQ(scene.dimension, dimension);
+    Scene same = scene;
+    scene.numerics.smoothing = SmoothingFunction::by_dimension;
+    scene.numerics.smoothing_ratio.reset();
+    same.numerics.smoothing =
+        dimension == 2 ? SmoothingFunction::cubic_spline : SmoothingFunction::yang_liu;
+    same.numerics.smoothing_ratio = dimension == 2 ? 1.2 : 1.3;
+    EXPECT_EQ(scene_text(scene), scene_text(same)) << dimension;  // what a checkpoint goes by
+  }
+  std::string text =
+      replaced(everything_text, "smoothing = \"cubic_spline\"", "smoothing = \"auto\"");
+  text = replaced(text, "smoothing_ratio = 1.25", "smoothing_ratio = \"auto\"");
+  const Numerics read_back = read(text).numerics;
+  EXPECT_EQ(read_back.smoothing, SmoothingFunction::by_dimension);
+  EXPECT_FALSE(read_back.smoothing_ratio);
+  Scene scene = read(slope_text);
+  scene.numerics.smoothing_ratio = 0.0;  // in code no word stands for it
+  EXPECT_THROW(validate(scene), SceneError);
+}
+
 TEST(SceneReaderTest, PaperPresetIsThePapersAndModernTheDefaults) {
   const Numerics paper = preset("paper"), modern = preset("modern");
   EXPECT_EQ(paper.smoothing, SmoothingFunction::yang_liu);

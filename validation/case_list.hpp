@@ -49,6 +49,7 @@ void retrogression(CaseRun& run);
 void beam(CaseRun& run);
 void askew(CaseRun& run);
 extern const ErrorProblem slope_2d_problem;
+extern const ErrorProblem cuboid_3d_problem;
 extern const ErrorProblem oedometer_problem;
 extern const ErrorProblem elastic_wave_problem;
 extern const ErrorProblem disc_rotation_problem;
@@ -78,7 +79,7 @@ inline constexpr std::array case_list = std::to_array<CaseRow>({
     {"slope_2d", "paper", "Cohesive slope in plane strain, strength cut by 1.4 (sample 1).",
      slope_2d, &slope_2d_problem, slope_2d_runs},
     {"cuboid_3d", "paper", "Collapse of a granular cuboid behind a gate (sample 2).", cuboid_3d,
-     nullptr, cuboid_3d_runs, true},
+     &cuboid_3d_problem, cuboid_3d_runs, true},
     {"slope_curvature", "paper", "Concave, straight and convex slopes in 3D (case 1).",
      slope_curvature, nullptr, slope_curvature_runs, true},
     {"slope_corner", "paper", "Slopes that turn a concave and a convex corner (case 2).",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Figures and page of error against run time, from what `scarp-validate error-time` left."""
 
+import itertools
 import json
 import pathlib
 
@@ -8,7 +9,7 @@ import scarp_report as scarp
 
 plt = scarp.plt
 COLOUR = {"modern": "#0072b2", "paper": "#d55e00"}
-MARKER = {"smoothing": "^", "integrator": "v", "stress_diffusion": "D", "precision": "P"}
+MARKERS = "^v<DPsXp"  # of the axes with a single change, in their order
 SEVERAL = "*"
 
 
@@ -33,6 +34,8 @@ def figure_of(study):
     if not points:
         return None
     figure, ax = plt.subplots(figsize=(9.6, 5.0))
+    changed = dict.fromkeys(axis for p in study["points"] if len(p["changes"]) == 1 for axis in p["changes"])
+    marker_of = dict(zip(changed, itertools.cycle(MARKERS)))
     for preset, colour in COLOUR.items():
         own = sorted((p for p in points if p["preset"] == preset and not p["changes"]), key=lambda p: -p["spacing"])
         if own:
@@ -41,14 +44,16 @@ def figure_of(study):
         for p in own:
             ax.annotate(f"{p['spacing']:g} m", (p["wall_s"], 100 * p["error"]), xytext=(6, 5),
                         textcoords="offset points", fontsize=7.5, color=colour)
-        for axis in [*MARKER, "several changes"]:
-            some = [p for p in points if p["preset"] == preset and p["changes"]
-                    and (list(p["changes"]) == [axis] if axis in MARKER else len(p["changes"]) > 1)]
+        for axis, marker in marker_of.items():
+            some = [p for p in points if p["preset"] == preset and list(p["changes"]) == [axis]]
             if some:
-                ax.plot([p["wall_s"] for p in some], [100 * p["error"] for p in some],
-                        linestyle="", marker=MARKER.get(axis, SEVERAL), markersize=8 if axis not in MARKER else 5,
-                        markerfacecolor="none", color=colour,
-                        label=f"{preset}, {axis}" if axis not in MARKER else f"{preset}, other {axis}")
+                ax.plot([p["wall_s"] for p in some], [100 * p["error"] for p in some], linestyle="", marker=marker,
+                        markersize=5, markerfacecolor="none", color=colour, label=f"{preset}, other {axis}")
+        several = [p for p in points if p["preset"] == preset and len(p["changes"]) > 1]
+        if several:
+            ax.plot([p["wall_s"] for p in several], [100 * p["error"] for p in several], linestyle="",
+                    marker=SEVERAL, markersize=8, markerfacecolor="none", color=colour,
+                    label=f"{preset}, several changes")
     front = [study["points"][f] for f in study["front"]]
     ax.plot([p["wall_s"] for p in front], [100 * p["error"] for p in front], color="#222222", linewidth=1.1,
             drawstyle="steps-post", label="front: nothing is better in both", zorder=2)
@@ -156,7 +161,7 @@ def error_time_page(folder):
     all_studies = studies(folder)
     page = scarp.Page("Error against run time",
                       "What a wanted error costs: spacing, preset, smoothing function, integrator and time step, "
-                      "stress diffusion.")
+                      "force, stress diffusion, precision, sleep.")
     page.text("Each mark is one setting at one spacing; its run time is the median of repeated runs that took turns "
               "with the other settings, of the time steps alone; the spread is that of the middle half of these runs. The "
               "front joins the settings that no other beats "

@@ -66,6 +66,7 @@ const std::vector<Axis>& numerics_axes() {
       {"precision",
        {{"double", [](Numerics& n) { n.precision = Precision::real64; }},
         {"mixed", [](Numerics& n) { n.precision = Precision::mixed; }}}},
+      {"sleep", {{"sleep 0.05", [](Numerics& n) { n.sleep = 0.05; }}}},
   };
   return axes;
 }

@@ -52,6 +52,9 @@ CellChange material(const Material& m);
 /// A spacing so many times finer, run to the end of its stages.
 CellChange finer(double factor);
 
+/// A slope, refined `factor` times, settles and slides for 5 s at a strength reduction of 1.5.
+void let_slide(Cell& cell, double factor);
+
 void add_shape(CellAxes& axes);
 void add_scale(CellAxes& axes);
 /// After failure, under refinement.

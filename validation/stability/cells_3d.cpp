@@ -6,6 +6,22 @@
 
 namespace scarp::validation {
 
+namespace {
+
+/// The plane slope, four spacings wide between smooth planes.
+Scene slope_strip(const std::string& preset_name, double spacing) {
+  Scene scene = bed_scene_3d(preset_name, 45.0, 15.0, spacing);
+  auto outline = std::get<Polygon>(slope_scene(preset_name).bodies[0].shape);
+  outline.extrude = {0.0, 4.0 * spacing};
+  scene.bodies = {{.shape = outline}};
+  const Box room{{0, 0, 0}, {45, outline.extrude[1], 20}};
+  scene.walls[0].facets = box_facets(room, {"-x", "+x", "-y", "+y", "+z"}, 3);
+  scene.walls[1].facets = box_facets(room, {"-z", "+z"}, 3);
+  return scene;
+}
+
+}  // namespace
+
 void add_3d(CellAxes& axes) {
   const CellBase bed = [](const std::string& name) { return bed_scene_3d(name, 4.0, 8.0, 0.5); };
   const auto elastic = [](double youngs, double poisson) {
@@ -53,6 +69,17 @@ void add_3d(CellAxes& axes) {
   };
   axes.axis({"noise", "3D column after its collapse", column, false, 0.0},
             {{"dx 0.2 m", finer(1), true}, {"dx 0.13 m", finer(1.5)}});
+  const auto strip = [](double spacing) {
+    return [spacing](Cell& cell) {
+      const Precision precision = cell.scene.numerics.precision;
+      cell.scene = slope_strip(cell.scene.numerics.preset, spacing);
+      cell.scene.numerics.precision = precision;
+      let_slide(cell, 1.0 / spacing);
+    };
+  };
+  const CellBase slope = [](const std::string& name) { return slope_strip(name, 1.0); };
+  axes.axis({"noise", "3D strip of the slope at SRF 1.5", slope, false, 0.0},
+            {{"dx 1 m", strip(1.0), true}, {"dx 0.5 m", strip(0.5)}});
 }
 
 }  // namespace scarp::validation

@@ -120,14 +120,18 @@ void add_scale(CellAxes& axes) {
             {{"1 kg/m3", dense(1.0), true}, {"2*10^4 kg/m3", dense(2e4), true}});
 }
 
+void let_slide(Cell& cell, double factor) {
+  set_stages(cell.scene, 300.0 * factor);
+  cell.scene.stages[1].strength_reduction = 1.5;
+  cell.scene.stages[1].duration = 5.0;
+  cell.steps = 200000;
+}
+
 void add_noise(CellAxes& axes) {
   const auto refined = [](double factor) {
     return [factor](Cell& cell) {
       cell.scene.spacing /= factor;
-      set_stages(cell.scene, 300.0 * factor);
-      cell.scene.stages[1].strength_reduction = 1.5;
-      cell.scene.stages[1].duration = 5.0;
-      cell.steps = 200000;
+      let_slide(cell, factor);
     };
   };
   axes.axis({"noise", "slope at SRF 1.5", slope_scene, false, 0.0},

@@ -20,6 +20,11 @@ Vec3 whole(const Vec3& p, double spacing) {
   return {whole(p[0], spacing), whole(p[1], spacing), whole(p[2], spacing)};
 }
 
+/// Whether particle i / 3 belongs to the fill of the box, by where it started.
+bool of_fill(const std::vector<double>& start, std::size_t i, const CuboidSize& size) {
+  return start[i] <= size.gate && start[i + 2] >= size.base_layer;
+}
+
 /// Highest particles of a vertical slice in bins of one spacing, as a surface above the floor.
 Profile surface_of(const std::vector<double>& position, double spacing, std::size_t across,
                    double at, std::size_t along) {
@@ -99,6 +104,18 @@ void measure_settled_cuboid(const Simulation& settled, Outcome& outcome) {
   outcome.values["residual velocity, settled [m/s]"] = settled.last_step().max_velocity;
 }
 
+double mean_run_out(const Simulation& fallen, const std::vector<double>& start) {
+  const std::vector<double> position = fallen.field("position");
+  const CuboidSize size = cuboid_size(fallen.scene());
+  double way = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < position.size(); i += 3) {
+    if (!of_fill(start, i, size)) continue;
+    way += position[i] - start[i];
+    count += 1.0;
+  }
+  return way / (count * size.gate);
+}
+
 void measure_deposit(const Simulation& fallen, const std::vector<double>& start,
                      const std::filesystem::path& folder, Outcome& outcome) {
   const std::vector<double> position = fallen.field("position");
@@ -111,7 +128,7 @@ void measure_deposit(const Simulation& fallen, const std::vector<double>& start,
     const double x = position[i], y = position[i + 1], z = position[i + 2];
     inside += x > 0.0 && x < size.field_length && y > 0.0 && y < size.field_half_width && z > 0.0;
     if (x < 2.0 * spacing) back_height = std::max(back_height, z + 0.5 * spacing - size.base_layer);
-    if (start[i] > size.gate || start[i + 2] < size.base_layer) continue;
+    if (!of_fill(start, i, size)) continue;
     front.push_back(x - size.gate);
     width.push_back(x > size.gate ? y : 0.0);
   }

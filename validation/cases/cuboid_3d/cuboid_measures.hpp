@@ -21,6 +21,10 @@ CuboidSize cuboid_size(const Scene& scene);
 /// start as a gap.
 void snap_to_lattice(Scene& scene);
 
+/// Mean way of the fill along x over the length of the box [-]. `start`: positions before anything
+/// moved.
+double mean_run_out(const Simulation& fallen, const std::vector<double>& start);
+
 /// Force on the walls and residual velocity of the settled soil.
 void measure_settled_cuboid(const Simulation& settled, Outcome& outcome);
 

@@ -43,7 +43,7 @@ def number(value):
         return str(value)
     if float(value).is_integer() and abs(value) < 1e15 and (isinstance(value, int) or abs(value) < 1e4):
         return f"{int(value):,}".replace(",", "\u202f")
-    return f"{value:.4g}"
+    return f"{value:,.4g}".replace(",", "\u202f")
 
 
 def band(value):

@@ -186,6 +186,7 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(scarp_page.band([None, 2.5]), "≤ 2.5")
         self.assertEqual(scarp_page.band(0.1), "± 0.1")
         self.assertEqual(scarp_page.number(1234567), "1\u202f234\u202f567")
+        self.assertEqual(scarp_page.number(1288.4), "1\u202f288")
         self.assertEqual(scarp_page.number(0.000123456), "0.0001235")
         self.assertEqual(scarp_page.number(None), "")
 

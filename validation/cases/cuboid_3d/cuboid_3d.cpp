@@ -178,7 +178,7 @@ double run_out_of(CaseRun& run, const Scene& given) {
 
 // At these spacings base layer and fill have whole rows.
 const ErrorProblem cuboid_3d_problem{
-    "mean run-out of the fill", {0.018, 0.012, 0.009, 0.006}, run_out_of, true};
+    "mean run-out of the fill", {0.036, 0.018, 0.012, 0.009}, run_out_of, true};
 
 std::vector<PlannedRun> cuboid_3d_runs(const CaseRun& run) {
   std::vector<PlannedRun> planned;

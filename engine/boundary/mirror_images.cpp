@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
 #include "engine/parallel.hpp"
@@ -22,11 +24,49 @@ bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
          (flat || (t >= -margin && t < facet.length_v + margin));
 }
 
+/// How far behind a face soil may come and keeps the image that pushes it back, in spacings: B4
+/// lets none go deeper.
+constexpr double deepest = 0.5;
+constexpr double rounding = 1e-6;  ///< of a distance, over the reach
+
+/// Faces that soil is before, each place once.
+class Places {
+ public:
+  explicit Places(double tolerance) : tolerance_(tolerance) {}
+
+  void clear() { taken_.clear(); }
+  /// Returns whether no face in the same plane had been taken. `distance`: of the soil from it.
+  bool take(const Vec3& normal, double distance) {
+    for (const auto& [other, at] : taken_) {
+      if (dot(normal, other) > 1.0 - rounding && std::abs(distance - at) < tolerance_) return false;
+    }
+    taken_.emplace_back(normal, distance);
+    return true;
+  }
+
+ private:
+  double tolerance_;
+  std::vector<std::pair<Vec3, double>> taken_;
+};
+
 Vec3 reflected(const Vec3& point, double distance, const Vec3& normal) {
   return geometry::plus(point, -2.0 * distance, normal);
 }
 
 }  // namespace
+
+/// Whether the image at `place` may have an image in this face. Across several faces in the order
+/// of their numbers alone, but to and fro between two that face each other; never in the plane that
+/// made it, nor, where its soil has come behind its own face, in one that is turned from that by
+/// less than a right angle: both would put it back onto its soil.
+bool MirrorImages::follows(const Image& image, const Vec3& place, std::uint32_t face,
+                           const Facet& facet, const WallPlacement& walls) {
+  const double turned = dot(image.normal, facet.normal);
+  if (face <= image.last && turned > -(1.0 - rounding)) return false;
+  if (turned <= rounding) return true;
+  const Vec3 origin = geometry::plus(image.origin, 1.0, walls.offset[image.wall]);
+  return image.normal != facet.normal && dot(geometry::minus(place, origin), image.normal) <= 0.0;
+}
 
 /// Appends the images of so many sources, in their order. Notes which soil is close to a face.
 template <class SourceOf>
@@ -36,29 +76,48 @@ void MirrorImages::add_images(int threads, const Mirrored& mirrored, double clos
   const WallSurface& surface = mirrored.surface;
   const WallPlacement& walls = mirrored.walls;
   const double reach = mirrored.reach;
-  const auto each_image = [&](const Source& source, FacetSearch& search, const auto& visit) {
-    const Image* from_image =
+  const bool any_rough = std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
+    return wall.kind == WallKind::no_slip;
+  });
+  const auto each_image = [&](const Source& source, FacetSearch& search, Places& places,
+                              const auto& visit) {
+    const Image* mirror =
         source.record < 0 ? &images_[static_cast<std::size_t>(-1 - source.record)] : nullptr;
     // An image may be beyond an edge by the reach, and behind the face by as much.
     const double widest = std::sqrt(2.0) * (reach + source.more);
-    for (const std::uint32_t face : surface.near(source.place, widest, walls, search)) {
+    const auto near = surface.near(source.place, widest, walls, search);
+    places.clear();
+    for (const std::uint32_t face : near) {  // a rough face decides where a smooth one lies too
+      const auto& [facet, w] = surface.faces()[face];
+      if (!any_rough || scene.walls[w].kind != WallKind::no_slip) continue;
+      const Vec3 from =
+          geometry::minus(source.soil, geometry::plus(facet.origin, 1.0, walls.offset[w]));
+      if (in_footprint(facet, from, 0.0)) places.take(facet.normal, dot(from, facet.normal));
+    }
+    for (const std::uint32_t face : near) {
       const auto& [facet, w] = surface.faces()[face];
       if (scene.walls[w].kind != WallKind::free_slip) continue;
-      // Across several faces in their order alone. An image straight behind this very plane is no
-      // neighbour of it; those of other planes are.
-      if (from_image != nullptr && (face <= from_image->face || from_image->normal == facet.normal))
-        continue;
-      Vec3 from;
-      for (std::size_t a = 0; a < 3; ++a)
-        from[a] = source.place[a] - facet.origin[a] - walls.offset[w][a];
-      const double distance = dot(from, facet.normal);
-      // Soil that has come a little behind the face keeps its image, which pushes it back.
-      if (distance > reach + source.more || distance < -0.125 * reach) continue;
-      const bool is_own = from_image == nullptr && source.record < std::ssize(close_);
-      if (is_own && distance <= close + source.more && in_footprint(facet, from, source.more))
+      const Vec3 origin = geometry::plus(facet.origin, 1.0, walls.offset[w]);
+      // Soil behind a face is no soil of it, but for what has come a little too far.
+      const Vec3 from = geometry::minus(source.soil, origin);
+      const double of_soil = dot(from, facet.normal);
+      if (of_soil > reach + source.more || of_soil < -deepest * scene.spacing) continue;
+      const bool holds = in_footprint(facet, from, source.more);
+      const bool is_own = mirror == nullptr && source.record < std::ssize(close_);
+      if (is_own && of_soil <= close + source.more && holds)
         close_[static_cast<std::size_t>(source.record)] = 1;
-      if (!in_footprint(facet, from, from_image != nullptr ? reach + source.more : 0.0)) continue;
-      visit(Image{source.record, static_cast<std::uint32_t>(w), face, facet.normal, facet.origin,
+      const Vec3 place = geometry::minus(source.place, origin);
+      const double distance = dot(place, facet.normal);
+      // Soil that has sunk into one face may have left the footprint of another that ends there.
+      const bool is_over = mirror == nullptr
+                               ? in_footprint(facet, from, 0.0)
+                               : holds || (of_soil >= 0.0 && in_footprint(facet, place, 0.0));
+      if (!is_over || !places.take(facet.normal, of_soil)) continue;
+      if (mirror != nullptr && !follows(*mirror, source.place, face, facet, walls)) continue;
+      if (distance > reach + source.more || distance < std::min(0.0, of_soil) - rounding * reach)
+        continue;
+      const std::uint32_t last = mirror != nullptr ? std::max(mirror->last, face) : face;
+      visit(Image{source.record, static_cast<std::uint32_t>(w), last, facet.normal, facet.origin,
                   source.lateral, source.more},
             reflected(source.place, distance, facet.normal));
     }
@@ -71,8 +130,9 @@ void MirrorImages::add_images(int threads, const Mirrored& mirrored, double clos
   parallel_gather(
       threads, sources, particle_chunk, made, [&](std::int64_t begin, std::int64_t end, auto& out) {
         FacetSearch search;
+        Places places(rounding * reach);
         for (std::int64_t k = begin; k < end; ++k) {
-          each_image(source_of(k), search, [&out](const Image& image, const Vec3& place) {
+          each_image(source_of(k), search, places, [&out](const Image& image, const Vec3& place) {
             out.push_back({image, place});
           });
         }
@@ -106,17 +166,22 @@ void MirrorImages::select(int threads, const Mirrored& mirrored, const Soil& own
       add_images(threads, mirrored, close, range.end - range.begin, [&](std::int64_t k) {
         const std::int64_t slot = range.begin + k;
         const double more = soil == &own && fast.among(slot, 1) ? fast.more : 0.0;
-        return Source{soil->first_record + slot, soil->point(slot), soil->k0[r], more};
+        const Vec3 point = soil->point(slot);
+        return Source{soil->first_record + slot, point, point, soil->k0[r], more};
       });
     }
   }
+  const std::int64_t own_records = std::ssize(close_);
   for (std::int64_t first = 0; first < count(); first = generations_.back()) {
     generations_.push_back(count());
     add_images(threads, mirrored, close, count() - first, [&](std::int64_t k) {
       const auto g = static_cast<std::size_t>(first + k);
       const Image& image = images_[g];
+      const std::int64_t record = soil_of(first + k);
+      const Soil& soil = record < own_records ? own : ghosts;
       return Source{-1 - first - k,
                     {position_[0][g], position_[1][g], position_[2][g]},
+                    soil.point(record - soil.first_record),
                     image.lateral,
                     image.more};
     });

@@ -101,7 +101,8 @@ class MirrorImages {
  private:
   struct Image {
     std::int64_t source;  ///< record of soil, or -1 - image
-    std::uint32_t wall, face;
+    std::uint32_t wall;
+    std::uint32_t last;  ///< the highest number of the faces that it is an image in
     Vec3 normal;
     Vec3 origin;     ///< a point of the facet before its wall moved
     double lateral;  ///< K0 of the soil it is an image of
@@ -111,8 +112,11 @@ class MirrorImages {
   struct Source {
     std::int64_t record;  ///< of soil, or -1 - image
     Vec3 place;
+    Vec3 soil;  ///< where the soil is that it is an image of, or its own place
     double lateral, more;
   };
+  static bool follows(const Image& image, const Vec3& place, std::uint32_t face, const Facet& facet,
+                      const WallPlacement& walls);
   template <class SourceOf>
   void add_images(int threads, const Mirrored& mirrored, double close, std::int64_t sources,
                   const SourceOf& source_of);

@@ -11,7 +11,8 @@ namespace scarp {
 
 /// No soil particle may start where a wall has its dummy particles: behind a facet, inside its
 /// footprint and within the thickness of the layers, unless another face of a thin wall lies
-/// between. Errors: SceneError naming the wall and the particle.
+/// between; and a rough face before soil must have room for dummies. Errors: SceneError naming the
+/// wall and the particle.
 void check_wall_clearance(const Scene& scene, const Particles& soil,
                           const std::function<bool()>& stop = {});
 

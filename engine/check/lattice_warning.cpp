@@ -10,8 +10,8 @@
 #include <limits>
 #include <optional>
 
+#include "engine/check/body_range.hpp"
 #include "engine/check/lattice_growth.hpp"
-#include "engine/scene/shape_list.hpp"
 #include "engine/scene/smoothing_choice.hpp"
 
 namespace scarp {
@@ -40,10 +40,10 @@ struct Heights {
 
 Heights heights(const Scene& scene, std::size_t axis, double up) {
   Heights found{{}, std::vector<Span>(scene.materials.size())};
-  for (const Body& body : scene.bodies) {
-    const ShapeExtent extent = row_of(body.shape).extent(body.shape, scene.dimension);
-    const double a = up * extent.minimum[axis], b = up * extent.maximum[axis];
-    for (Span* range : {&found.all, &found.of[material_of(scene, body)]}) {
+  const std::vector<BodyRange> ranges = body_ranges(scene, axis);
+  for (std::size_t body = 0; body < ranges.size(); ++body) {
+    const double a = up * ranges[body].low, b = up * ranges[body].high;
+    for (Span* range : {&found.all, &found.of[material_of(scene, scene.bodies[body])]}) {
       range->low = std::min({range->low, a, b});
       range->high = std::max({range->high, a, b});
     }

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/scene/shape_list.hpp"
+#include "engine/check/body_range.hpp"
 
 namespace scarp {
 namespace {
@@ -19,14 +19,14 @@ class Heights {
   explicit Heights(const Scene& scene) : scene_(scene) {
     const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto steepest = std::max_element(scene.gravity.begin(), scene.gravity.end(), smaller);
-    axis_ = static_cast<std::size_t>(steepest - scene.gravity.begin());
+    ranges_ = body_ranges(scene, static_cast<std::size_t>(steepest - scene.gravity.begin()));
   }
 
   /// From the lowest to the highest point of a material; 0: unknown, or no body is made of it.
   double of_all(std::size_t material) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    Range range{infinity, -infinity};
-    for_each_body(material, [&range](const Range& own) {
+    BodyRange range{infinity, -infinity};
+    for_each_body(material, [&range](const BodyRange& own) {
       range.low = std::min(range.low, own.low);
       range.high = std::max(range.high, own.high);
     });
@@ -35,7 +35,7 @@ class Heights {
   /// Of the tallest body of a material.
   double of_tallest(std::size_t material) const {
     double tallest = 0.0;
-    for_each_body(material, [&tallest](const Range& own) {
+    for_each_body(material, [&tallest](const BodyRange& own) {
       tallest = std::fmax(tallest, own.high - own.low);
     });
     return tallest;
@@ -44,15 +44,13 @@ class Heights {
  private:
   template <class Visit>
   void for_each_body(std::size_t material, const Visit& visit) const {
-    for (const Body& body : scene_.bodies) {
-      if (material_of(scene_, body) != material) continue;
-      const ShapeExtent extent = row_of(body.shape).extent(body.shape, scene_.dimension);
-      visit(Range{extent.minimum[axis_], extent.maximum[axis_]});
+    for (std::size_t body = 0; body < ranges_.size(); ++body) {
+      if (material_of(scene_, scene_.bodies[body]) == material) visit(ranges_[body]);
     }
   }
 
   const Scene& scene_;
-  std::size_t axis_ = 0;
+  std::vector<BodyRange> ranges_;
 };
 
 std::string pressure_text(double pressure) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/check/initial_stress.hpp"
+#include "engine/check/thin_walls.hpp"
 #include "engine/check/wall_support.hpp"
 
 namespace scarp::check {
@@ -16,6 +17,7 @@ std::vector<std::string> start_warnings(const Simulation& simulation) {
   for (std::size_t k = 0; k < position.size(); ++k) soil[k / 3][k % 3] = position[k];
   for (std::string& place : soil_over_nothing(simulation.scene(), soil))
     found.push_back(std::move(place));
+  for (std::string& wall : thin_walls(simulation.scene(), soil)) found.push_back(std::move(wall));
   return found;
 }
 

@@ -11,6 +11,7 @@
 #include "engine/check/lattice_warning.hpp"
 #include "engine/check/magnitudes.hpp"
 #include "engine/check/thin_places.hpp"
+#include "engine/check/thin_walls.hpp"
 #include "engine/check/wall_gaps.hpp"
 
 namespace scarp {
@@ -111,6 +112,7 @@ std::vector<std::string> warnings(const Scene& scene) {
   check_contrast(scene, found);
   check_lattice(scene, found);
   for (std::string& gap : wall_gaps(scene)) found.push_back(std::move(gap));
+  for (std::string& twice : doubled_walls(scene)) found.push_back(std::move(twice));
   for (std::string& place : thin_places(scene)) found.push_back(std::move(place));
   // With corrected gradients a slope still creeps after its slide at 0.6 (THEORY, section 3).
   const double highest = scene.numerics.gradient_correction ? 0.3 : 0.8;

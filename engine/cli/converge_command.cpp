@@ -17,6 +17,7 @@
 #include "engine/converge/study.hpp"
 #include "engine/errors.hpp"
 #include "engine/output/folder_lock.hpp"
+#include "engine/output/numerics_json.hpp"
 #include "engine/output/run_writer.hpp"
 #include "engine/output/text_file.hpp"
 #include "engine/plain_text.hpp"
@@ -82,6 +83,7 @@ std::optional<SpacingRun> earlier_run(const fs::path& folder, const Simulation& 
     const Json results = Json::parse(read_text(folder / "results.json"));
     const bool same = results.at("complete") == true && results.at("spacing") == scene.spacing &&
                       results.at("preset") == scene.numerics.preset &&
+                      results.at("numerics") == Json(numerics_json(scene)) &&
                       results.at("isa") == simulation.isa() &&
                       results.at("threads") == simulation.threads() &&
                       results.at("particles") == simulation.soil_count() &&

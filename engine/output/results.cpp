@@ -13,36 +13,14 @@
 
 #include "engine/machine.hpp"
 #include "engine/output/measure_json.hpp"
+#include "engine/output/numerics_json.hpp"
 #include "engine/output/text_file.hpp"
-#include "engine/scene/numerics_list.hpp"
 
 namespace scarp {
 namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr int format_version = 1;
-
-Json json_of(const Numerics& numerics) {
-  Json json;
-  for (const NumericsRow& row : numerics_list) {
-    const double value = row.get(numerics);
-    switch (row.kind) {
-      case NumericsRow::Kind::truth:
-        json[std::string(row.key)] = value != 0.0;
-        break;
-      case NumericsRow::Kind::integer:
-        json[std::string(row.key)] = static_cast<int>(value);
-        break;
-      case NumericsRow::Kind::choice:
-        json[std::string(row.key)] = row.written(numerics);
-        break;
-      case NumericsRow::Kind::number:
-        json[std::string(row.key)] = value;
-        break;
-    }
-  }
-  return json;
-}
 
 Json json_of(const Instability& what) {
   return {{"step", what.step},         {"time_s", what.time},       {"stage", what.stage},
@@ -199,7 +177,7 @@ void write_results(const std::filesystem::path& path, const Simulation& simulati
             {"probes", Json::array()},
             {"stages", Json::array()},
             {"profile", Json::array()},
-            {"numerics", json_of(scene.numerics)},
+            {"numerics", numerics_json(scene)},
             {"machine",
              {{"processor", processor_name()},
               {"hardware_threads", std::thread::hardware_concurrency()}}},

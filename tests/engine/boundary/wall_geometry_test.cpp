@@ -110,7 +110,7 @@ TEST(WallClearanceTest, SoilOnBothSidesOfALineIsToldHowASheetPileIsDrawn) {
     } catch (const SceneError& error) {
       const std::string message = error.what();
       EXPECT_NE(message.find("a wall has soil on one side only"), std::string::npos) << message;
-      EXPECT_NE(message.find("sheet pile as a slot of 1 m"), std::string::npos) << message;
+      EXPECT_NE(message.find("sheet pile as a slot of 1.5 m"), std::string::npos) << message;
       EXPECT_EQ(message.find("reverse"), std::string::npos) << message;
     }
   }

@@ -126,6 +126,16 @@ TEST_F(RunWriterTest, ReportsTheMass) {
   FAIL() << "no mass among the measures";
 }
 
+TEST_F(RunWriterTest, ReportsTheSmoothingThatARunTook) {
+  Simulation simulation = block();
+  ASSERT_EQ(simulation.scene().numerics.smoothing, SmoothingFunction::by_dimension);
+  RunWriter writer(simulation, folder_);
+  writer.finish(simulation, 1.0);
+  const json numerics = results().at("numerics");
+  EXPECT_EQ(numerics.at("smoothing"), "cubic_spline");
+  EXPECT_DOUBLE_EQ(numerics.at("smoothing_ratio").get<double>(), 1.2);
+}
+
 TEST_F(RunWriterTest, WritesAsManyCellsPerRowAsTitles) {
   Simulation simulation = block();
   RunWriter writer(simulation, folder_);

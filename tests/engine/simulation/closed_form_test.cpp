@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/facets.hpp"
 #include "tests/support/small_scenes.hpp"
 
 namespace scarp::test {
@@ -143,6 +144,47 @@ TEST(MirrorTest, HalfABodyBehindAFreeSlipPlaneMovesAsTheWhole) {
       nearest =
           std::min(nearest, std::hypot(right[i] - everywhere[j], right[i + 1] - everywhere[j + 1]));
     }
+    EXPECT_LT(nearest, 1e-9);
+  }
+}
+
+/// A box of smooth sides that forgot to leave out its lower face, on a rough base: as without it.
+TEST(MirrorTest, ARoughFaceDecidesWhereASmoothOneLiesToo) {
+  const auto column = [](bool forgot) {
+    Scene scene = elastic_column("modern", 1.0, 0.1);
+    scene.walls = {
+        wall_of("base", WallKind::no_slip, {facet_2d(0, 0, 1, 0)}),
+        wall_of("sides", WallKind::free_slip, {facet_2d(0, 2, 0, 0), facet_2d(1, 0, 1, 2)})};
+    if (forgot) scene.walls[1].facets.push_back(facet_2d(0, 0, 1, 0));
+    scene.bodies[0].velocity = {0.3, -0.1, 0};
+    return run_steps(scene, 100).field("position");
+  };
+  EXPECT_EQ(column(true), column(false));
+}
+
+/// Between two smooth planes a spacing apart every row of images is the soil itself: plane strain,
+/// as in a slab of four spacings.
+TEST(MirrorTest, ASlabOneSpacingWideIsAWideOne) {
+  const auto slab = [](int rows) {
+    Scene scene = elastic_column("modern", 1.0, 0.1);
+    scene.dimension = 3;
+    scene.gravity = {0.0, 0.0, -9.81};
+    const double width = 0.1 * rows;
+    scene.bodies = {{.shape = Box{{0, 0, 0}, {1, width, 1}}}};
+    scene.walls = {
+        wall_of("room", WallKind::free_slip,
+                box_facets({{0, 0, 0}, {1, width, 2}}, {"-z", "+z", "+x"}, 3)),
+        wall_of("base", WallKind::no_slip,
+                box_facets({{-1, 0, 0}, {3, width, 2}}, {"-x", "+x", "-y", "+y", "+z"}, 3))};
+    scene.stages = {stage_for("spread", 10.0)};
+    return run_steps(scene, 100);
+  };
+  const auto thin = slab(1).field("position"), wide = slab(4).field("position");
+  for (std::size_t i = 0; i < thin.size(); i += 3) {
+    EXPECT_NEAR(thin[i + 1], 0.05, 1e-12);
+    double nearest = 1.0;
+    for (std::size_t j = 0; j < wide.size(); j += 3)
+      nearest = std::min(nearest, std::hypot(thin[i] - wide[j], thin[i + 2] - wide[j + 2]));
     EXPECT_LT(nearest, 1e-9);
   }
 }

@@ -299,6 +299,31 @@ TEST(RelaxedPackingTest, GivesAGeostaticStartThePressureOfWhereParticlesAre) {
   }
 }
 
+/// An inclined sheet pile: soil on one side stands behind the face of the other, near enough to be
+/// asked about, and must not be moved before it.
+TEST(RelaxedPackingTest, LeavesSoilOnItsSideOfAnInclinedPile) {
+  Scene scene;
+  scene.spacing = dx;
+  scene.materials = {clay()};
+  scene.bodies = {{.shape = Polygon{{{0, 0}, {4, 0}, {5, 3}, {0, 3}}}},
+                  {.shape = Polygon{{{4.3, 0}, {10, 0}, {10, 3}, {5.3, 3}}}}};
+  scene.walls = {
+      wall_of("base", WallKind::no_slip, {facet_2d(0, 0, 10, 0)}),
+      wall_of("pile", WallKind::no_slip,
+              {facet_2d(4, 0, 5, 3), facet_2d(5, 3, 5.3, 3), facet_2d(5.3, 3, 4.3, 0)}),
+      wall_of("sides", WallKind::free_slip, {facet_2d(0, 4, 0, 0), facet_2d(10, 0, 10, 4)})};
+  Particles soil = generate_soil(scene);
+  const std::vector<Vec3> before = soil.position;
+  EXPECT_GT(relax_packing(scene, WallSurface(scene), generate_dummies(scene), 1, {}, soil).moved,
+            100u);
+  const auto left_of = [](const Vec3& p) { return p[0] < 4.15 + p[1] / 3.0; };
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    EXPECT_EQ(left_of(soil.position[k]), left_of(before[k]));
+    const Vec3 way = minus(soil.position[k], before[k]);
+    EXPECT_LT(std::sqrt(dot(way, way)), 0.7 * dx);  // rows come from where the lattice has them
+  }
+}
+
 /// What a program brings along stays where it put it.
 TEST(RelaxedPackingTest, LeavesGivenParticlesAlone) {
   const Trough trough(2, 30.0);

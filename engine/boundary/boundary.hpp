@@ -40,6 +40,8 @@ struct Boundary {
 void place_walls(State& state);
 /// Over the time by which the soil drifts too [s].
 void move_walls(State& state, double dt);
+/// Whether a free-slip wall moves in any stage: its images go twice its way.
+bool mirrors_move(const Scene& scene);
 /// Records of the dummies, velocity and stress from the soil near them. Equation: B1, B2.
 void extrapolate_walls(State& state);
 /// Takes from the velocities what would carry grains through a face. Equation: B4.

@@ -2,6 +2,7 @@
 /// The walls' phase of a step: dummies into the records, velocity and stress from the soil.
 #include "engine/boundary/boundary.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/state.hpp"
@@ -34,6 +35,12 @@ void move_walls(State& state, double dt) {
     state.boundary.walls.move(state.threads, w, step);
     state.boundary.moved += std::hypot(step[0], step[1], step[2]);
   }
+}
+
+bool mirrors_move(const Scene& scene) {
+  return std::any_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
+    return wall.kind == WallKind::free_slip && wall.velocity != Vec3{};
+  });
 }
 
 void extrapolate_walls(State& state) {

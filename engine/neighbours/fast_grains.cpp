@@ -128,7 +128,9 @@ FastGrains fast_grains(const State& state) {
 bool margins_used_up(const State& state) {
   const FastGrains& fast = state.neighbours.fast;
   const ParticleBuffers& p = state.particles;
-  const double half = half_skin(state), margin = half + fast.more;
+  const double mirrors = mirrors_move(state.scene) ? state.boundary.moved : 0.0;
+  const double half = half_skin(state) - mirrors, margin = half + fast.more;
+  if (half < 0.0) return true;
   const Components now(p, Field::position), built(p, Field::build_position);
   for (const std::int64_t k : fast.slots) {
     if (!(now.squared_from(built, k) <= margin * margin)) return true;

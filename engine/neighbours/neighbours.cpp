@@ -218,9 +218,12 @@ void pack_forces(State& state) { pack_as(state, form_of_forces(state), false); }
 bool lists_are_outdated(const State& state) {
   const Neighbours& neighbours = state.neighbours;
   const double moved = state.reduction->maximum_of(neighbours.moved);
-  // Two particles, or a particle and a wall, may close the skin from both sides.
+  // Two particles, or a particle and a wall, may close the skin from both sides; images move by
+  // twice the way of their mirror.
   const double skin = state.scene.numerics.skin * state.smoothing_length;
-  const bool closed = moved + std::max(moved, state.boundary.moved) > skin;
+  const double walls = state.boundary.moved;
+  const bool closed =
+      moved + (mirrors_move(state.scene) ? moved + 2.0 * walls : std::max(moved, walls)) > skin;
   return !neighbours.valid || (closed && (neighbours.fast.slots.empty() || margins_used_up(state)));
 }
 

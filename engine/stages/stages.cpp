@@ -143,7 +143,7 @@ void update_walls(State& state, const std::string& stage) {
     bool moves = wall.moves_from.empty();
     for (std::size_t s = 0; s <= state.stage.index; ++s)
       moves |= state.scene.stages[s].name == wall.moves_from;
-    state.boundary.velocity[w] = moves ? wall.velocity : Vec3{};
+    state.boundary.velocity[w] = moves && state.boundary.stands[w] ? wall.velocity : Vec3{};
   }
 }
 

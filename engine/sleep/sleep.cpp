@@ -97,7 +97,7 @@ SleepReads reads_of(const State& state, const std::vector<std::uint8_t>& wanted,
 /// Kick-drift-kick looks at the edge when the next step begins.
 bool sweeps_edge(const State& state) {
   const bool verlet = state.scene.numerics.integrator == Integrator::verlet;
-  return (state.report.step + (verlet ? 0 : 1)) % steps_per_edge_look == 0;
+  return (state.report.step + (verlet ? 0 : 1)) % steps_per_edge_look(state.scene.dimension) == 0;
 }
 
 /// For every sweep that reads it: that of gradients at the edge needs it in another form, and where

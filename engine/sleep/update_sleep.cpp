@@ -14,7 +14,7 @@ namespace {
 constexpr double wake_over_calm = 4.0;
 
 /// Steps between two looks for soil that rests.
-constexpr std::uint64_t steps_per_sleep_look = 2 * steps_per_edge_look;
+constexpr std::uint64_t steps_per_sleep_look = 8;
 
 /// In place of a time: the particle has fallen asleep, and its force has not been summed since.
 constexpr double no_force_yet = -1.0;
@@ -187,7 +187,8 @@ class SleepUpdate {
   /// Whether the force of any particle has changed by too much since it was first summed with the
   /// particle asleep, at once or in the mean over the window; brings that mean up to date.
   bool has_lost_balance(std::int32_t block) {
-    const double interval = static_cast<double>(steps_per_edge_look) * state_.clock.time_step;
+    const double interval =
+        static_cast<double>(steps_per_edge_look(state_.scene.dimension)) * state_.clock.time_step;
     const double weight = std::min(1.0, interval / sleep_.bounds.window);
     const double by_mass = scaling(block);
     bool lost = false;
@@ -269,7 +270,8 @@ class SleepUpdate {
 void update_sleep(State& state) {
   if (!state.sleep.wanted()) return;
   SleepUpdate update(state);
-  bool changed = state.report.step % steps_per_edge_look == 0 && update.wake();
+  bool changed =
+      state.report.step % steps_per_edge_look(state.scene.dimension) == 0 && update.wake();
   if (state.report.step % steps_per_sleep_look == 0) changed = update.fall_asleep() || changed;
   if (changed) classify_sleep(state);
 }

@@ -129,6 +129,7 @@ py::dict energy_of(const EnergyBalance& e) {
                   {"artificial_stress", py::cast(e.artificial_stress)},
                   {"gradient_residue", py::cast(e.gradient_residue)},
                   {"diffusion", py::cast(e.diffusion)},
+                  {"sleep", py::cast(e.sleep)},
                   {"hooks", py::cast(e.hooks)},
                   {"imbalance", py::cast(e.imbalance)}});
 }

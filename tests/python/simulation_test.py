@@ -164,6 +164,11 @@ class RunTest(common.TestCase):
         thread.join()
         self.assertEqual(len(counted), 20)
 
+    def test_the_energy_has_every_line(self):
+        self.assertEqual(set(simulation().energy()), {
+            "kinetic", "kinetic_added", "potential", "elastic", "plastic", "viscous", "damping", "wall",
+            "artificial_stress", "gradient_residue", "diffusion", "hooks", "sleep", "imbalance"})
+
     def test_an_instability_says_where(self):
         mine = simulation()
         mine.step_factor = 20.0

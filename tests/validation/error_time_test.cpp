@@ -55,6 +55,14 @@ TEST(ErrorTimeAxes, AChangeIsNamedAndApplied) {
   EXPECT_EQ(numerics.smoothing_ratio, preset("paper").smoothing_ratio);
 }
 
+/// `paper` corrects no gradients, so that its forces are plain whatever is asked for.
+TEST(ErrorTimeAxes, ForcesAreAChoiceOnlyWhereGradientsAreCorrected) {
+  for (const Trial& trial : first_round(presets(), {axis_names(), false, false})) {
+    if (!trial.setting.changes.contains(axis("force"))) continue;
+    EXPECT_EQ(trial.setting.preset, "modern");
+  }
+}
+
 TEST(ErrorTimeAxes, EveryRowOfTheNumericsShowsInTheirText) {
   const Numerics base;
   Numerics other = base;

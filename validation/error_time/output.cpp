@@ -38,6 +38,7 @@ Json json_of(const Point& point) {
           {"force_correction", point.numerics.force_correction},
           {"stress_diffusion", point.numerics.stress_diffusion},
           {"precision", word(point.numerics.precision)},
+          {"sleep", point.numerics.sleep},
           {"status", word(point.status)},
           {"reason", point.reason},
           {"reference", point.reference},
@@ -102,6 +103,7 @@ void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
                        "force_correction",
                        "stress_diffusion [-]",
                        "precision",
+                       "sleep [-]",
                        "spacing [m]",
                        "status",
                        "role",
@@ -119,7 +121,7 @@ void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
     const Numerics& n = point.numerics;
     table << point.trial.setting.preset << word(n.smoothing) << *n.smoothing_ratio
           << word(n.integrator) << n.cfl << (n.force_correction ? 1.0 : 0.0) << n.stress_diffusion
-          << word(n.precision) << point.spacing << word(point.status)
+          << word(n.precision) << n.sleep << point.spacing << word(point.status)
           << (point.reference ? "reference" : "compared") << (point.on_front ? 1.0 : 0.0)
           << point.error << point.wall_s << point.spread << static_cast<double>(point.repeats)
           << point.cpu_s << point.particles << point.steps << point.particle_steps

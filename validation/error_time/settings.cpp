@@ -27,10 +27,12 @@ void integrate(Numerics& numerics) {
   numerics.cfl = percent / 100.0;
 }
 
-void correct_force(Numerics& numerics) { numerics.force_correction = true; }
+/// Where gradients are not corrected, forces are plain in any case.
+void correct_force(Numerics& numerics) { numerics.force_correction = numerics.gradient_correction; }
 
 /// With what served it best: it bears longer steps, and dissipates by itself.
 void leave_force_plain(Numerics& numerics) {
+  if (!numerics.gradient_correction) return;
   numerics.force_correction = false;
   numerics.cfl = std::fmax(numerics.cfl, 1.0);
   numerics.stress_diffusion = 0.1;

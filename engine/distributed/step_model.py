@@ -14,7 +14,7 @@ LATENCY = 2.0e-6          # [s] of a message between nodes
 BANDWIDTH = 12.5e9        # [B/s] of a node, into which all ghosts come from others
 JOINS = 5                 # joins of a step: time step (2), lists (2), end of the call
 FIRST, SECOND = 7, 16     # numbers for each ghost: place, velocity, diffusivity; place, density, stress, moment
-REACH = 2.15 * 1.2        # [dx] of the lists: (2 + skin) h
+REACH = 2.15 * 1.3        # [dx] of the lists in 3D: (2 + skin) h
 SMOOTH, ROUGH = REACH, 2.0 * REACH
 
 

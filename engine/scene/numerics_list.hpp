@@ -105,7 +105,8 @@ inline constexpr NumericsRow numerics_list[] = {
         "smoothing function W; `\"auto\"`: the cubic spline in 2D, Yang and "
         "Liu's in 3D"),
     detail::number<&Numerics::smoothing_ratio>("smoothing_ratio", {0.8, 3.0}, 1.2, "-",
-                                               "h/dx; `\"auto\"` and 0: 1.2 in 2D, 1.3 in 3D",
+                                               "h/dx; `\"auto\"` and 0: 1.2 in 2D, 1.3 in 3D, "
+                                               "whatever `smoothing` is",
                                                "auto"),
     detail::truth<&Numerics::lattice_normalisation>(
         "lattice_normalisation", false, "divide grad W by the moment of the undisturbed lattice"),

@@ -165,7 +165,7 @@ class RunTest(common.TestCase):
         self.assertEqual(len(counted), 20)
 
     def test_the_energy_has_every_line(self):
-        self.assertEqual(set(simulation().energy()), {
+        self.assertEqual(set(simulation().energies), {
             "kinetic", "kinetic_added", "potential", "elastic", "plastic", "viscous", "damping", "wall",
             "artificial_stress", "gradient_residue", "diffusion", "hooks", "sleep", "imbalance"})
 

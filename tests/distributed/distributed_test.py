@@ -299,8 +299,9 @@ class QuickTest(Comparison):
     def test_counts_of_messages_are_those_of_the_model(self):
         """Two processes send each other one message a refresh, of which a step has two: x, v and the diffusivity of
         the stress (5 numbers in 2D), later x, density and stress (7); all 10 where lists were built. Both divisions of
-        this soil, which all yields, have as many ghosts."""
-        scene = scene_of(SLIDE, numerics="force_correction = false")
+        this soil, which all yields, have as many ghosts, if the wall that moves has no images, which make lists shorter-lived."""
+        scene = scene_of(SLIDE, numerics="force_correction = false").replace(
+            'kind = "free_slip"\nline = [[24', 'kind = "no_slip"\nline = [[24')
         self.assertIn('model = "linear_elastic"\n', scene)
         _, said = self.run_scene(2, scene.replace('model = "linear_elastic"\n', 'cohesion = "1 MPa"\nfriction_angle = "20 deg"\n'))
         deals = int(re.search(r"(\d+) divisions", said)[1])

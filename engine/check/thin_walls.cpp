@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,9 +34,7 @@ struct Narrowest {
 class ThinWalls {
  public:
   ThinWalls(const Scene& scene, const std::vector<Vec3>& soil)
-      : scene_(scene), soil_(soil), surface_(scene), near_soil_(scene.spacing) {
-    for (std::size_t k = 0; k < soil.size(); ++k) near_soil_.put(soil[k], k);
-  }
+      : scene_(scene), soil_(soil), surface_(scene) {}
 
   std::map<std::pair<std::size_t, std::size_t>, Narrowest> find() {
     for (const Vec3& point : soil_) {
@@ -49,6 +48,15 @@ class ThinWalls {
  private:
   bool is_smooth(std::uint32_t face) const {
     return scene_.walls[surface_.wall_of(face)].kind == WallKind::free_slip;
+  }
+
+  /// The soil is put in order only for a scene that has faces back to back.
+  bool has_soil_near(const Vec3& point) {
+    if (!near_soil_) {
+      near_soil_.emplace(scene_.spacing);
+      for (std::size_t k = 0; k < soil_.size(); ++k) near_soil_->put(soil_[k], k);
+    }
+    return near_soil_->has_near(point, soil_);
   }
 
   /// From the foot of soil before a face to the faces behind it.
@@ -67,7 +75,7 @@ class ThinWalls {
       const double needed = is_smooth(face) || is_smooth(other) ? 2.0 * support : support;
       if (thickness > needed * (1.0 - 1e-6)) continue;
       const Vec3 beyond = plus(foot, thickness + 0.5 * scene_.spacing, back.normal);
-      if (!near_soil_.has_near(beyond, soil_)) continue;
+      if (!has_soil_near(beyond)) continue;
       Narrowest& pair = found_[std::minmax({surface_.wall_of(face), surface_.wall_of(other)})];
       if (thickness < pair.thickness) pair = {thickness, needed, foot};
     }
@@ -76,7 +84,7 @@ class ThinWalls {
   const Scene& scene_;
   const std::vector<Vec3>& soil_;
   WallSurface surface_;
-  NearTest near_soil_;
+  std::optional<NearTest> near_soil_;
   FacetSearch search_;
   std::map<std::pair<std::size_t, std::size_t>, Narrowest> found_;  ///< by walls
 };

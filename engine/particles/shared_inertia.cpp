@@ -29,8 +29,7 @@ struct CellHash {
 }  // namespace
 
 AskedInertia::AskedInertia(const Scene& scene)
-    : form_(smoothing_of(scene)),
-      smoothing_length_(smoothing_length_of(scene)) {
+    : form_(smoothing_of(scene)), smoothing_length_(smoothing_length_of(scene)) {
   double fastest = 0.0;
   for (const Material& material : scene.materials)
     fastest = std::max(fastest, material.sound_speed());

@@ -16,8 +16,8 @@
 #include "engine/cli/commands.hpp"
 #include "engine/errors.hpp"
 #include "engine/scene/scene_reader.hpp"
-#include "tests/support/scene_message.hpp"
 #include "engine/scene/smoothing_choice.hpp"
+#include "tests/support/scene_message.hpp"
 
 namespace scarp {
 namespace {

@@ -87,8 +87,7 @@ TEST_P(IntegratorTest, TheStepOfAGrainInStrongGravityIsThatOfItsForce) {
   scene.gravity = {0.0, strong, 0.0};
   Simulation simulation(scene);
   const double acceleration = std::hypot(-drag * speed[0], strong - drag * speed[1]);
-  const double step =
-      scene.numerics.cfl * std::sqrt(smoothing_ratio_of(scene) * dx / acceleration);
+  const double step = scene.numerics.cfl * std::sqrt(smoothing_ratio_of(scene) * dx / acceleration);
   EXPECT_NEAR(simulation.step().time_step, step, 1e-15);
   EXPECT_EQ(simulation.last_step().limit, StepLimit::force);
 }

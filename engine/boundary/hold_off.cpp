@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "engine/boundary/held_zone.hpp"
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
 
@@ -14,10 +15,6 @@ namespace scarp {
 using namespace geometry;
 
 namespace {
-
-/// Distances to the face, in spacings, between which a grain may not go deeper. Soil that is packed
-/// keeps half a spacing from the face: only a grain that its own pair forces do not hold gets here.
-constexpr double nearest = 0.25, deepest = -0.5;
 
 /// Where faces meet at an acute angle, what one takes away may point towards the other.
 constexpr int most_passes = 8;
@@ -64,7 +61,7 @@ double way_over_change(const State& state) {
 
 }  // namespace
 
-double hold_off_distance(double spacing) { return nearest * spacing; }
+double hold_off_distance(double spacing) { return held_zone::before_face * spacing; }
 
 /// Equation: B4; the velocity towards the face, relative to it, becomes zero. Pair sums alone let
 /// single grains of a thin front sink: their stress goes to zero with every bounce at the apex.
@@ -83,8 +80,8 @@ void hold_off_faces(State& state) {
   const WallSurface& surface = state.boundary.surface;
   const std::vector<std::uint32_t> few = surface.all_if_few(state.boundary.stands);
   const WallPlacement placement{state.boundary.stands, state.boundary.offset};
-  const double reach =
-      std::max(nearest, -deepest) * state.particles.largest_spacing() * (1.0 + 1e-6);
+  const double reach = std::max(held_zone::before_face, held_zone::behind_face) *
+                       state.particles.largest_spacing() * (1.0 + 1e-6);
   const double way = way_over_change(state);
   const auto hold = [&](std::int64_t k, const ParticleGroup& group, Holds& holds,
                         FacetSearch& search) {
@@ -104,7 +101,9 @@ void hold_off_faces(State& state) {
         const auto& [facet, w] = surface.faces()[face];
         const FacetCoordinates at =
             coordinates(facet, dimension, minus(x, state.boundary.offset[w]));
-        if (at.depth < -nearest * spacing || at.depth > -deepest * spacing) continue;
+        if (at.depth < -held_zone::before_face * spacing ||
+            at.depth > held_zone::behind_face * spacing)
+          continue;
         const double approach = -dot(minus(v, state.boundary.velocity[w]), facet.normal);
         if (approach <= 0.0 || !at.above(facet, 0.0)) continue;
         v = plus(v, approach, facet.normal);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "engine/boundary/held_zone.hpp"
 #include "engine/parallel.hpp"
 
 namespace scarp {
@@ -24,9 +25,6 @@ bool in_footprint(const Facet& facet, const Vec3& from_origin, double margin) {
          (flat || (t >= -margin && t < facet.length_v + margin));
 }
 
-/// How far behind a face soil may come and keeps the image that pushes it back, in spacings: B4
-/// lets none go deeper.
-constexpr double deepest = 0.5;
 constexpr double rounding = 1e-6;  ///< of a distance, over the reach
 
 /// Faces that soil is before, each place once.
@@ -98,10 +96,12 @@ void MirrorImages::add_images(int threads, const Mirrored& mirrored, double clos
       const auto& [facet, w] = surface.faces()[face];
       if (scene.walls[w].kind != WallKind::free_slip) continue;
       const Vec3 origin = geometry::plus(facet.origin, 1.0, walls.offset[w]);
-      // Soil behind a face is no soil of it, but for what has come a little too far.
+      // Soil behind a face is no soil of it, but for what has come a little too far and is pushed
+      // back by its image.
       const Vec3 from = geometry::minus(source.soil, origin);
       const double of_soil = dot(from, facet.normal);
-      if (of_soil > reach + source.more || of_soil < -deepest * scene.spacing) continue;
+      if (of_soil > reach + source.more || of_soil < -held_zone::behind_face * scene.spacing)
+        continue;
       const bool holds = in_footprint(facet, from, source.more);
       const bool is_own = mirror == nullptr && source.record < std::ssize(close_);
       if (is_own && of_soil <= close + source.more && holds)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "engine/boundary/held_zone.hpp"
 #include "engine/boundary/mirror_images.hpp"
 #include "engine/boundary/packing_zone.hpp"
 #include "engine/cells/cell_grid.hpp"
@@ -27,8 +28,6 @@ constexpr double enough = 1e-3;      ///< residual; a hundredth of that of a lat
 constexpr double momentum = 0.9;     ///< share of the last round's way that goes on
 constexpr double longest_way = 0.1;  ///< of a particle in a round, in spacings
 constexpr double margin = 0.3;       ///< of the lists, in spacings
-constexpr double off_face = 0.25;    ///< of every particle, in spacings: B4 does not hold it there
-constexpr double deepest = 0.5;      ///< behind a face: what is deeper stands before another
 constexpr std::int64_t chunk = 256;
 
 /// A lattice bears steps of 2 (1 + momentum) over the largest curvature of E/V; disorder makes
@@ -191,8 +190,10 @@ class Packing {
       for (const std::uint32_t face : faces_[k]) {
         const Facet& facet = surface_.facet(face);
         const auto at = geometry::coordinates(facet, scene_.dimension, point(k));
-        const double deeper = at.depth + off_face * scene_.spacing;
-        if (deeper <= 0.0 || at.depth > deepest * scene_.spacing || !at.above(facet, 0.0)) continue;
+        const double deeper = at.depth + held_zone::before_face * scene_.spacing;
+        if (deeper <= 0.0 || at.depth > held_zone::behind_face * scene_.spacing ||
+            !at.above(facet, 0.0))
+          continue;
         const double inwards = std::min(0.0, geometry::dot(way_[k], facet.normal));
         way_[k] = geometry::plus(way_[k], -inwards, facet.normal);
         for (std::size_t a = 0; a < 3; ++a) place_[a][k] += deeper * facet.normal[a];

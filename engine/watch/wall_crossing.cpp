@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "engine/boundary/facet_geometry.hpp"
+#include "engine/boundary/held_zone.hpp"
 #include "engine/parallel.hpp"
 #include "engine/state.hpp"
 #include "engine/watch/watch.hpp"
@@ -64,7 +65,8 @@ Crossing first_crossing(const State& state) {
     const Crossing found = parallel_reduce(
         state.threads, group.count, particle_chunk, Crossing{},
         [&](std::int64_t begin, std::int64_t end) {
-          return look(group.first + begin, group.first + end, lost_depth * group.spacing);
+          return look(group.first + begin, group.first + end,
+                      held_zone::behind_face * group.spacing);
         },
         [](Crossing& total, const Crossing& part) {
           if (total.slot < 0) total = part;
@@ -83,7 +85,7 @@ void watch_walls(const State& state) {
   lost.field = fmt::format("depth behind wall '{}'", state.scene.walls[found.wall].name);
   lost.unit = std::string("m");
   lost.value = found.depth;
-  lost.limit = lost_depth * state.particles.group_of(found.slot).spacing;
+  lost.limit = held_zone::behind_face * state.particles.group_of(found.slot).spacing;
   lost.cause = std::string(
       "a grain pressed or thrown through the face: soil too soft for its load, a gap or a sharp "
       "corner near by, or a time step too long; from here they look alike");

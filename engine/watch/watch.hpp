@@ -17,10 +17,6 @@ struct State;
 /// velocities, densities and accelerations are looked at in every step.
 inline constexpr std::uint64_t steps_per_look = 50;
 
-/// Depth behind a face, in spacings, from where a grain counts as lost: no face holds it any more
-/// (B4).
-inline constexpr double lost_depth = 0.5;
-
 /// Advice that begins with what tells a time step that is too long from every other cause.
 std::string advice_after_step_test(const char* then);
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/boundary/facet_geometry.hpp"
-#include "engine/watch/watch.hpp"
+#include "engine/boundary/held_zone.hpp"
 
 namespace scarp::validation {
 namespace {
@@ -27,7 +27,7 @@ double fastest(const Simulation& simulation) {
 
 WallPassages::WallPassages(const Scene& scene, std::span<const double> position)
     : dimension_(scene.dimension),
-      depth_(lost_depth * scene.spacing),
+      depth_(held_zone::behind_face * scene.spacing),
       last_(position.begin(), position.end()) {
   for (const Wall& wall : scene.walls) {
     std::size_t removed_at = std::numeric_limits<std::size_t>::max();

@@ -11,9 +11,9 @@ namespace scarp::validation {
 
 /// Follows every grain from place to place. A grain has passed a wall when it came to its back
 /// through a face, within its outline, and got deeper from there than any face holds
-/// (`lost_depth`), wherever it went then. A grain that flies over the edge and falls behind the
-/// wall has not, and one that comes back through the face before it is so deep neither. Nothing of
-/// the engine's own watch over the faces is asked. Pre: walls do not move.
+/// (`held_zone::behind_face` spacings), wherever it went then. A grain that flies over the edge and
+/// falls behind the wall has not, and one that comes back through the face before it is so deep
+/// neither. Nothing of the engine's own watch over the faces is asked. Pre: walls do not move.
 class WallPassages {
  public:
   WallPassages(const Scene& scene, std::span<const double> position);

@@ -43,6 +43,13 @@ constexpr Variant variants[]{
      [](Scene& s) { s.numerics.viscosity_alpha = s.numerics.viscosity_beta = 0.0; }},
     {"artificial stress", [](const Scene& s) { return s.numerics.artificial_stress > 0.0; },
      [](Scene& s) { s.numerics.artificial_stress = 0.0; }},
+    {"hourglass viscosity",
+     [](const Scene& s) {
+       return s.numerics.corrects_force() && s.numerics.hourglass_viscosity > 0.0;
+     },
+     [](Scene& s) { s.numerics.hourglass_viscosity = 0.0; }},
+    {"force correction", [](const Scene& s) { return s.numerics.corrects_force(); },
+     [](Scene& s) { s.numerics.force_correction = false; }},
     {"gradient correction", [](const Scene& s) { return s.numerics.gradient_correction; },
      [](Scene& s) { s.numerics.gradient_correction = false; }},
     {"stress diffusion",

@@ -62,7 +62,9 @@ Json summary(const Scene& scene, const Subject& subject) {
   // Walls are as many layers deep at any spacing.
   const double walls = static_cast<double>(simulation.wall_count()) *
                        std::pow(simulation.scene().spacing / scene.spacing, scene.dimension - 1);
-  Json json{{"title", scene.title},
+  Json json{{"format", "scarp check"},
+            {"version", 1},
+            {"title", scene.title},
             {"file", scene.file},
             {"dimension", scene.dimension},
             {"preset", scene.numerics.preset},

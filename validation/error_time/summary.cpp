@@ -14,7 +14,7 @@ namespace scarp::validation {
 namespace {
 
 /// Linear between the sorted values: share 0.5 is the median.
-double quantile(std::vector<double> values, double share) {
+double interpolated_quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   const double place = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -31,10 +31,12 @@ void take_costs(Point& point, const std::vector<RunRecord>& records) {
   const RunRecord& first = records.front();
   point.status = first.status;
   point.reason = first.reason;
-  point.wall_s = quantile(wall, 0.5);
-  point.cpu_s = quantile(cpu, 0.5);
+  point.wall_s = interpolated_quantile(wall, 0.5);
+  point.cpu_s = interpolated_quantile(cpu, 0.5);
   point.spread =
-      wall.size() > 1 ? (quantile(wall, 0.75) - quantile(wall, 0.25)) / point.wall_s : std::nan("");
+      wall.size() > 1
+          ? (interpolated_quantile(wall, 0.75) - interpolated_quantile(wall, 0.25)) / point.wall_s
+          : std::nan("");
   point.particles = first.particles;
   point.steps = first.steps;
   point.particle_steps = first.particle_steps;

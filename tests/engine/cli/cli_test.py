@@ -15,6 +15,7 @@ import unittest
 from scenes import COLUMN, SCENE, SLOPE
 
 SCARP = sys.argv.pop(1)
+FORMATS = pathlib.Path(__file__).resolve().parents[3] / "engine/output/FORMATS.md"
 
 LARGE = """title = "Large"
 dimension = {dimension}
@@ -104,6 +105,10 @@ class CliTest(unittest.TestCase):
         numbers = json.loads((self.folder / "check.json").read_text())
         self.assertEqual(numbers["particles"], 32)
         self.assertGreater(numbers["expected_steps"], 0)
+        self.assertEqual((numbers["format"], numbers["version"]), ("scarp check", 1))
+        pages = FORMATS.read_text().split("# What `scarp check --json` writes")[1]
+        for key in numbers:
+            self.assertIn(f"`{key}`", pages.split("\n# ")[0])
         self.assertFalse((self.folder / "out").exists())
 
     def peak_of(self, *arguments):
@@ -175,7 +180,7 @@ class CliTest(unittest.TestCase):
         self.assertEqual(check["rehearsal_spacing"], check["spacing"])
         self.assertEqual((check["expected_steps"], check["expected_time_s"]), (run["steps"], run["simulated_s"]))
         self.assertEqual([cost["feature"] for cost in check["costs"]],
-                         ["artificial viscosity", "gradient correction", "sums in double precision"])
+                         ["artificial viscosity", "force correction", "gradient correction", "sums in double precision"])
         for cost in check["costs"]:
             self.assertIn(cost["feature"], done.stdout)
             self.assertLess(cost["share_of_step"], 1)

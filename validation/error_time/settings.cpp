@@ -40,6 +40,11 @@ void leave_force_plain(Numerics& numerics) {
 }
 
 template <int percent>
+void resist(Numerics& numerics) {
+  numerics.viscosity_alpha = percent / 100.0;
+}
+
+template <int percent>
 void diffuse(Numerics& numerics) {
   numerics.stress_diffusion = percent / 100.0;
 }
@@ -63,6 +68,12 @@ const std::vector<Axis>& numerics_axes() {
         {"kick_drift_kick CFL 0.8", integrate<kick_drift_kick, 80>},
         {"kick_drift_kick CFL 1", integrate<kick_drift_kick, 100>}}},
       {"force", {{"force_correction", correct_force}, {"plain force", leave_force_plain}}},
+      {"viscosity",
+       {{"viscosity_alpha 0", resist<0>},
+        {"viscosity_alpha 0.02", resist<2>},
+        {"viscosity_alpha 0.05", resist<5>},
+        {"viscosity_alpha 0.1", resist<10>},
+        {"viscosity_alpha 0.2", resist<20>}}},
       {"stress_diffusion",
        {{"stress_diffusion 0", diffuse<0>}, {"stress_diffusion 0.15", diffuse<15>}}},
       {"precision",

@@ -12,6 +12,7 @@
 #include "engine/check/forecast.hpp"
 #include "engine/check/outputs.hpp"
 #include "engine/check/probe.hpp"
+#include "engine/check/softer_soil.hpp"
 #include "engine/check/start_warnings.hpp"
 #include "engine/check/subject.hpp"
 #include "engine/check/trial.hpp"
@@ -269,6 +270,8 @@ int check_command(const CheckArguments& asked) {
       check::scaled(check::try_outputs(subject.simulation), subject.share());
   const Forecast expected = check::forecast(scene, arguments.options, trial, asked.patience);
   add_forecast(json, trial, expected);
+  if (const auto note = check::softer_soil_note(scene, expected.wall_s))
+    json["notes"].push_back(*note);
   add_outputs(json, scene, expected, outputs);
   if (arguments.json != "-") print(scene, subject, json, trial, expected);
   if (asked.costs) {

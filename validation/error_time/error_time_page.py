@@ -161,7 +161,7 @@ def error_time_page(folder):
     all_studies = studies(folder)
     page = scarp.Page("Error against run time",
                       "What a wanted error costs: spacing, preset, smoothing function, integrator and time step, "
-                      "force, stress diffusion, precision, sleep.")
+                      "force, viscosity, stress diffusion, precision, sleep.")
     page.text("Each mark is one setting at one spacing; its run time is the median of repeated runs that took turns "
               "with the other settings, of the time steps alone; the spread is that of the middle half of these runs. The "
               "front joins the settings that no other beats "

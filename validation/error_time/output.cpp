@@ -36,6 +36,7 @@ Json json_of(const Point& point) {
           {"integrator", word(point.numerics.integrator)},
           {"cfl", point.numerics.cfl},
           {"force_correction", point.numerics.force_correction},
+          {"viscosity_alpha", point.numerics.viscosity_alpha},
           {"stress_diffusion", point.numerics.stress_diffusion},
           {"precision", word(point.numerics.precision)},
           {"sleep", point.numerics.sleep},
@@ -101,6 +102,7 @@ void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
                        "integrator",
                        "cfl [-]",
                        "force_correction",
+                       "viscosity_alpha [-]",
                        "stress_diffusion [-]",
                        "precision",
                        "sleep [-]",
@@ -120,12 +122,12 @@ void write_csv(const std::filesystem::path& path, const ErrorStudy& study) {
   for (const Point& point : study.points) {
     const Numerics& n = point.numerics;
     table << point.trial.setting.preset << word(n.smoothing) << *n.smoothing_ratio
-          << word(n.integrator) << n.cfl << (n.force_correction ? 1.0 : 0.0) << n.stress_diffusion
-          << word(n.precision) << n.sleep << point.spacing << word(point.status)
-          << (point.reference ? "reference" : "compared") << (point.on_front ? 1.0 : 0.0)
-          << point.error << point.wall_s << point.spread << static_cast<double>(point.repeats)
-          << point.cpu_s << point.particles << point.steps << point.particle_steps
-          << point.memory_bytes;
+          << word(n.integrator) << n.cfl << (n.force_correction ? 1.0 : 0.0) << n.viscosity_alpha
+          << n.stress_diffusion << word(n.precision) << n.sleep << point.spacing
+          << word(point.status) << (point.reference ? "reference" : "compared")
+          << (point.on_front ? 1.0 : 0.0) << point.error << point.wall_s << point.spread
+          << static_cast<double>(point.repeats) << point.cpu_s << point.particles << point.steps
+          << point.particle_steps << point.memory_bytes;
     table.end_row();
   }
 }

@@ -46,7 +46,7 @@ std::optional<std::string> softer_soil_note(const Scene& scene, double wall_s) {
       "the stiffness of the soil sets the time step, and its weight strains it by {:.2g} % only. "
       "Where what counts is how far soil runs out, try a quarter of youngs_modulus with "
       "viscosity_alpha = {:g}, which is the same viscosity: half of the steps, and run-outs that "
-      "differ by some per cent (THEORY.md, section 13). Settlements and slopes near their limit "
+      "differ by some per cent (THEORY.md, section 3). Settlements and slopes near their limit "
       "need the stiffness that they have.",
       100.0 * strain, alpha);
 }

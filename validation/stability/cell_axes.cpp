@@ -25,7 +25,8 @@ void CellAxes::add(const Axis& axis, const CellPoint& point, const std::string& 
   if (axis.settle > 0.0) set_stages(cell.scene, axis.settle);
   cell.stands = axis.stands && can_stand(cell.scene);
   if (cell.stands) settle_fully(cell.scene);
-  if (short_) cell.steps = std::min<std::uint64_t>(cell.steps / 4, 5000);
+  const std::uint64_t most_steps = cell.scene.dimension == 3 ? 1000 : 5000;
+  if (short_) cell.steps = std::min<std::uint64_t>(cell.steps / 4, most_steps);
   cells_.push_back(std::move(cell));
 }
 

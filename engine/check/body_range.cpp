@@ -3,6 +3,7 @@
 #include "engine/check/body_range.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "engine/particles/shapes.hpp"
@@ -36,6 +37,13 @@ BodyRange range_of_columns(const ColumnShape& shape, double spacing) {
 }
 
 }  // namespace
+
+std::size_t gravity_axis(const Scene& scene) {
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  return static_cast<std::size_t>(
+      std::max_element(scene.gravity.begin(), scene.gravity.end(), smaller) -
+      scene.gravity.begin());
+}
 
 std::vector<BodyRange> body_ranges(const Scene& scene, std::size_t axis) {
   const std::vector<ColumnShape> shapes = column_shapes(scene);

@@ -12,6 +12,9 @@ struct BodyRange {
   double low = 0.0, high = 0.0;  ///< [m]
 };
 
+/// The axis along which gravity is strongest; 0 without gravity.
+std::size_t gravity_axis(const Scene& scene);
+
 /// By body. The top of a height field is looked up every spacing, as an expression tells no bounds.
 std::vector<BodyRange> body_ranges(const Scene& scene, std::size_t axis);
 

@@ -78,11 +78,8 @@ std::optional<Choice> without_growth(const Scene& scene, const LoadedLattice& lo
 void check_lattice(const Scene& scene, std::vector<std::string>& found) {
   const double g = std::hypot(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
   if (g == 0.0 || scene.bodies.empty()) return;
-  const auto steepest =
-      std::max_element(scene.gravity.begin(), scene.gravity.end(),
-                       [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const auto axis = static_cast<std::size_t>(steepest - scene.gravity.begin());
-  const Heights levels = heights(scene, axis, *steepest < 0.0 ? 1.0 : -1.0);
+  const std::size_t axis = gravity_axis(scene);
+  const Heights levels = heights(scene, axis, scene.gravity[axis] < 0.0 ? 1.0 : -1.0);
   const double fall = std::sqrt(2.0 * (levels.all.high - levels.all.low) / g);
   const double thousandfold = std::log(1e3) / time_to_grow(scene, fall);
   double most = 0.0;

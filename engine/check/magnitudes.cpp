@@ -16,11 +16,8 @@ namespace {
 /// Along gravity [m].
 class Heights {
  public:
-  explicit Heights(const Scene& scene) : scene_(scene) {
-    const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-    const auto steepest = std::max_element(scene.gravity.begin(), scene.gravity.end(), smaller);
-    ranges_ = body_ranges(scene, static_cast<std::size_t>(steepest - scene.gravity.begin()));
-  }
+  explicit Heights(const Scene& scene)
+      : scene_(scene), ranges_(body_ranges(scene, gravity_axis(scene))) {}
 
   /// From the lowest to the highest point of a material; 0: unknown, or no body is made of it.
   double of_all(std::size_t material) const {

@@ -34,6 +34,9 @@ TEST(SofterSoilTest, IsNotOfferedElsewhere) {
   Scene weightless = stiff();
   weightless.gravity = {};
   EXPECT_FALSE(softer_soil_note(weightless, hour));
+  Scene empty = stiff();
+  empty.bodies.clear();
+  EXPECT_FALSE(softer_soil_note(empty, hour));
   Scene viscous = stiff();
   viscous.numerics.viscosity_alpha = 0.6;
   EXPECT_FALSE(softer_soil_note(viscous, hour));
